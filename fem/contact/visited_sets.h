@@ -18,7 +18,8 @@ public:
   {
   }
 
-  /// Returns whether @p set (this rank's part) is new or its @p residual has halved since its last visit.
+  /// Returns whether @p set (this rank's part) is new, or @p residual has halved since its last visit.
+  /// Collective.
   bool makes_progress(const ActiveSet &set, double residual);
 
 private:

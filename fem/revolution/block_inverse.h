@@ -21,8 +21,8 @@ using LowerTriangle = Eigen::SparseMatrix<double>;
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 
 /// Selected rows and columns of the inverses of symmetric positive definite matrices of equal pattern. The
-/// order of elimination is computed once, with the selected rows last, so that only the end of the triangular
-/// factor is needed. Thread-safe; large matrices are factorised by blocks, with BLAS, one after the other.
+/// selected rows are eliminated last, so that only the end of the factor is needed. Thread-safe; large
+/// matrices are factorised by blocks (BLAS), one after the other.
 class BlockInverse
 {
 public:
@@ -31,8 +31,7 @@ public:
   ~BlockInverse();
 
   /// Returns the inverse in the kept rows and the first @p n_columns kept columns, shape [kept.size(),
-  /// n_columns], of the matrix with @p entries in the order of the pattern. Throws std::runtime_error
-  /// unless the matrix is positive definite.
+  /// n_columns], of the matrix with @p entries. Throws std::runtime_error unless positive definite.
   Eigen::MatrixXd operator()(const Eigen::VectorXd &entries, unsigned int n_columns) const;
 
 private:

@@ -11,29 +11,24 @@
 namespace stemware::fem
 {
 
-/// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md).
-///
-/// Contact nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i
-/// on circle i and line j. The state is the vector of nodal forces whose elastic response is the
-/// displacement. Copies have their own state and share the contact surface.
+/// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md). Contact
+/// nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on circle
+/// i and line j. The state is the nodal forces whose elastic response is the displacement. Copies have their
+/// own state and share the contact surface.
 class BodyOfRevolution : public ElasticBody
 {
 public:
   /// Distance of the undeformed contact zone from a plane table at (r, theta) [m].
   using Gap = std::function<double(double radius, double azimuth)>;
 
-  /// @p compliance of the foot, plus the compliance of an elastic table if there is one. The penetration is
-  /// integrated in closed form as a quadratic in r: the gap must be quadratic, and elements of degree 3 and 4
-  /// are divided into two pieces of degree 2. Throws std::invalid_argument if @p n_lines is too small for the
-  /// harmonics.
+  /// @p compliance: of foot and elastic table. @p gap must be quadratic in r, as contact lines are (two per
+  /// element of degree 3 or 4). Throws std::invalid_argument if @p n_lines is too small for the harmonics.
   BodyOfRevolution(ContactCompliance compliance, const Gap &gap, unsigned int n_lines = 256);
 
-  /// Sets another gap over the same circles, also for copies (waviness that rotates with the glass or the
-  /// ground). Keeps the state.
+  /// Sets another gap over the same circles, also for copies (rotating waviness). Keeps the state.
   void set_gap(const Gap &gap);
 
-  /// Sets the friction that deforms the foot, or none. Keeps the state as initial guess of the next
-  /// contact. Throws as SlidingTraction::validate.
+  /// Sets the friction that deforms the foot; keeps the state. Throws as SlidingTraction::validate().
   void set_sliding(const std::optional<SlidingTraction> &traction);
 
   const ContactSurface &contact_surface() const override { return *surface; }
@@ -53,7 +48,7 @@ public:
 
   /// Sets the state to the displacement under nodal @p forces [N].
   void set_forces(const Eigen::VectorXd &forces);
-  /// Returns mean and tilts of the displacement under the forces on circle @p i, as a table motion.
+  /// Returns mean and tilts of the displacement of circle @p i under the forces, as a table motion.
   Eigen::Vector3d motion_of_circle(Eigen::Index i) const;
 
   /// Returns the nodal forces of the state [N], shape [n_radii, n_lines].

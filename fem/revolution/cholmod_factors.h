@@ -7,8 +7,8 @@
 namespace stemware::fem
 {
 
-/// Factors L L' of symmetric positive definite matrices of equal pattern, by the C interface of CHOLMOD.
-/// Functions throw std::runtime_error if CHOLMOD fails, and std::bad_alloc if it lacks memory.
+/// Factors L L' of symmetric positive definite matrices of equal pattern, by CHOLMOD. Functions throw
+/// std::runtime_error if CHOLMOD fails, std::bad_alloc without memory.
 class CholmodFactors
 {
 public:
@@ -17,13 +17,13 @@ public:
   CholmodFactors(const CholmodFactors &other);
   ~CholmodFactors();
 
-  /// Returns whether factorise() proceeds by blocks, with BLAS, because that is faster.
+  /// Returns whether factorise() proceeds by blocks, with BLAS.
   bool use_blas() const { return factor->is_super != 0; }
   void factorise(const LowerTriangle &matrix);
   /// Returns the last @p n rows and columns of L.
   Eigen::MatrixXd end(int n) const;
 
-  /// Returns an order of elimination of @p pattern, of minimum degree, in which the rows @p last come last.
+  /// Returns a minimum-degree order of elimination of @p pattern in which the rows @p last come last.
   static std::vector<int> order_with_last(const LowerTriangle &pattern,
                                           const std::vector<unsigned int> &last);
 

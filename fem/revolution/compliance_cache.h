@@ -14,22 +14,20 @@
 namespace stemware::fem
 {
 
-/// Cache of the compliances of bodies of revolution by mesh, material and options.
-///
-/// Thread-safe; a thread waits for a compliance that another thread computes. Compliances in use stay alive
-/// when the cache is emptied.
+/// Cache of the compliances of bodies of revolution by mesh, material and options. Thread-safe; threads wait
+/// for a compliance that is being computed. Compliances in use stay alive when the cache is emptied.
 class ComplianceCache
 {
 public:
-  /// Creates a cache of at most @p max_entries compliances, about a megabyte each; a full cache is emptied.
-  /// @p interruption is an argument of compute_compliance().
+  /// Creates a cache of at most @p max_entries compliances, about 1 MB each; a full cache is emptied. @p
+  /// interruption: as in compute_compliance().
   explicit ComplianceCache(std::size_t max_entries = 128, std::function<void()> interruption = {})
       : max_entries(max_entries)
       , interruption(std::move(interruption))
   {
   }
 
-  /// Returns the compliance by compute_compliance(), cached for equal arguments. Throws like that function.
+  /// Returns compute_compliance(), cached for equal arguments. Throws as compute_compliance().
   std::shared_ptr<const ContactCompliance> get(const dealii::Triangulation<2, 2> &triangulation,
                                                const ElasticMaterial &material,
                                                const MeridianOptions &options);
@@ -38,8 +36,7 @@ public:
   unsigned int n_computed() const;
 
 private:
-  /// Returns a compliance truncated from a cached one with @p factor times as many harmonics; nullptr if
-  /// there is none.
+  /// Returns a compliance truncated from a cached one with @p factor times the harmonics, or nullptr.
   std::shared_ptr<const ContactCompliance>
   with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
 

@@ -11,16 +11,14 @@
 namespace stemware::fem
 {
 
-/// Returns first index and number of the nodes at @p radii whose elements of degree @p degree overlap the
-/// band from @p inner to @p outer; at least one element.
+/// Returns first index and number of the nodes of the elements that overlap the band from @p inner to @p
+/// outer; at least one element. @p radii, @p degree: of all nodes and elements.
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
                                                     double inner, double outer);
 
-/// Vertical displacement of the contact nodes of a body of revolution under line forces of one harmonic n.
-///
-/// Forces in cylindrical directions f_z cos(n theta), f_r cos(n theta), f_theta sin(n theta) per radian at
-/// the contact circles [N/rad] displace them by u_z cos(n theta), u_z = normal f_z + radial f_r + azimuthal
-/// f_theta [m]. The mirror family (sin, sin, -cos) has the same matrices. Shapes [n_nodes, n_nodes], m rad/N.
+/// Vertical displacement of the contact nodes of a body of revolution under line forces of one harmonic n:
+/// f_z cos(n theta), f_r cos(n theta), f_theta sin(n theta) [N/rad] give u_z cos(n theta) with u_z = normal
+/// f_z + radial f_r + azimuthal f_theta [m]; likewise (sin, sin, -cos). Shapes [n_nodes, n_nodes], m rad/N.
 struct HarmonicCompliance
 {
   Eigen::MatrixXd normal;
@@ -42,8 +40,7 @@ struct ContactCompliance
   Eigen::VectorXd radii;                     ///< radii of the contact nodes, ascending [m]
   unsigned int degree = 0;                   ///< degree of the displacement along r within an element
   std::vector<HarmonicCompliance> harmonics; ///< n = 0 ... n_harmonics()
-  HarmonicCompliance tail;                   ///< compliance of all harmonics above n_harmonics(), see
-                                             ///< MeridianOptions::tail_harmonic()
+  HarmonicCompliance tail;                   ///< of all higher harmonics, MeridianOptions::tail_harmonic()
   unsigned int n_meridian_unknowns = 0;      ///< degrees of freedom of one meridional problem
   Eigen::Index n_inside = 0;  ///< for a part(): number of the land's contact nodes inside the first node
   Eigen::Index n_outside = 0; ///< likewise outside the last one
@@ -51,16 +48,13 @@ struct ContactCompliance
   unsigned int n_nodes() const { return static_cast<unsigned int>(radii.size()); }
   unsigned int n_harmonics() const { return static_cast<unsigned int>(harmonics.size()) - 1; }
 
-  /// Returns the values of the contact nodes' shape functions at @p radius, in the element that contains
-  /// it. Outside the contact zone the nearest element's polynomials are extrapolated. Shape [n_nodes].
+  /// Returns the nodes' shape functions at @p radius, extrapolated outside the contact zone. Shape [n_nodes].
   Eigen::VectorXd shape_at(double radius) const;
 
-  /// Returns @p values (one row per node) extended by zero to all nodes of the land; empty if @p values is
-  /// empty.
+  /// Returns @p values (one row per node) extended by zeros to all nodes of the land.
   Eigen::MatrixXd extended_to_land(const Eigen::MatrixXd &values) const;
 
-  /// Returns the compliance restricted to the contact nodes @p first ... @p first + @p size - 1, whole
-  /// elements. Outside them there are no forces.
+  /// Returns the compliance for forces on nodes @p first ... @p first + @p size - 1 only, whole elements.
   ContactCompliance part(Eigen::Index first, Eigen::Index size) const;
 
   /// Returns the compliance without the response to friction tractions.
@@ -77,8 +71,8 @@ struct ContactCompliance
     return result;
   }
 
-  /// Adds the compliances of @p other, the body below, with z upward in both. Throws std::invalid_argument
-  /// unless nodes, degree and number of harmonics agree.
+  /// Adds the compliances of @p other, the body below (z upward in both). Throws std::invalid_argument unless
+  /// nodes, degree and number of harmonics agree.
   ContactCompliance &operator+=(const ContactCompliance &other);
 
 private:
@@ -95,7 +89,7 @@ struct MeridianOptions
   double inner_radius = 0;
   double outer_radius = std::numeric_limits<double>::infinity();
 
-  /// Returns the harmonic whose compliance represents all harmonics above n_harmonics: half an octave higher.
+  /// Returns the harmonic that represents all harmonics above n_harmonics: half an octave higher.
   unsigned int tail_harmonic() const { return n_harmonics + (n_harmonics + 1) / 2; }
 };
 

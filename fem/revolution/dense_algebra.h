@@ -7,12 +7,12 @@
 namespace stemware::fem
 {
 
-// Loops that are compiled for several kinds of processors: with 60 unknowns 1.5 times as fast as Eigen's
-// PartialPivLU compiled for all processors, with 300 unknowns 2.3 times (tests/benchmark/dense_benchmark.cc).
-// The loops are thread-safe, unlike Debian's serial OpenBLAS.
+// Loops compiled for several processors: with 60 unknowns 1.5 times, with 300 unknowns 2.3 times as fast as
+// Eigen's portable PartialPivLU (tests/benchmark/dense_benchmark.cc); thread-safe, unlike Debian's serial
+// OpenBLAS.
 
-/// Solves the dense systems A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n,
-/// n + @p n_columns]. X overwrites B, and A is overwritten. A singular A gives non-finite numbers.
+/// Solves A X = B by Gaussian elimination with row pivots. @p system is [A, B], shape [n, n + @p n_columns].
+/// X overwrites B, A is overwritten. A singular A gives non-finite numbers.
 void solve_dense(RowMatrix &system, Eigen::Index n_columns);
 
 /// Adds @p a times @p b to @p sum. The arguments must not alias.

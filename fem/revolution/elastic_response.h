@@ -11,8 +11,7 @@
 namespace stemware::fem
 {
 
-/// Modes of the normal, radial and azimuthal forces on the contact circles, sum_j f_j mode(theta_j) [N], each
-/// of shape [n_radii, n_modes].
+/// Modes of forces on the contact circles, sum_j f_j mode(theta_j) [N], each of shape [n_radii, n_modes].
 struct ForceModes
 {
   Eigen::MatrixXd normal;
@@ -24,21 +23,18 @@ struct ForceModes
 /// friction of these forces (docs/method/revolution.md, "Harmonics and lines").
 ///
 /// Harmonic n has the compliance C_n up to n_harmonics(). Higher harmonics, resolved by the lines only, share
-/// one compliance, ContactCompliance::tail: at wave lengths between the width of the contact and the size of
-/// the foot it is the compliance of line contact, where each line responds to its own force only. The sum is
+/// ContactCompliance::tail, the compliance of line contact, in which a line responds to its own force only:
 ///
 ///   u_j = D f_j + sum_{n <= n_max} (C_n - C_tail) f_n cos n(theta - theta_n) ...,  D = C_tail n_lines /
 ///   2 pi,
 ///
 /// positive definite on every line for any number of lines. Friction tractions t = s f with the sliding
-/// direction s(r, theta) add C^zr and C^ztheta, the latter up to n_max only.
-///
-/// Forces and displacements on the lines have the shape [n_radii, n_lines].
+/// direction s(r, theta) add C^zr and, up to n_max, C^ztheta. Forces and displacements on the lines: shape
+/// [n_radii, n_lines].
 class ElasticResponse
 {
 public:
-  /// @p compliance of foot and table. Throws std::invalid_argument when @p n_lines is too small for its
-  /// harmonics.
+  /// @p compliance: of foot and table. Throws std::invalid_argument if @p n_lines is too small.
   ElasticResponse(ContactCompliance compliance, unsigned int n_lines);
 
   /// Sets the friction that deforms the bodies, or none. Throws as SlidingTraction::validate.
@@ -60,9 +56,8 @@ public:
   /// Returns the harmonics of the forces up to n_max.
   ForceModes force_modes(const Eigen::MatrixXd &forces) const;
 
-  /// Returns D on the circles @p first ... @p first + @p size - 1: `normal`, displacement under forces on the
-  /// same line [m/N]; `radial`, to be multiplied by the radial traction, empty without friction. The
-  /// azimuthal part is zero.
+  /// Returns D on the circles @p first ... @p first + @p size - 1 [m/N]: `normal`, and `radial`, a factor of
+  /// the radial traction, empty without friction; `azimuthal` is zero.
   HarmonicCompliance local(Eigen::Index first, Eigen::Index size) const;
 
   /// Returns C_n - C_tail on a range of circles; the azimuthal part is C_n itself.

@@ -7,10 +7,9 @@
 namespace stemware::fem
 {
 
-/// Trigonometric functions of theta on equidistant azimuth lines theta_j = 2 pi j / n_lines.
-///
-/// Mode 0 is 1, mode 2n - 1 is cos(n theta), mode 2n is sin(n theta), n = 1 ... n_harmonics. Values are
-/// exactly even and odd in theta, so that mirror symmetry is preserved to the last bit.
+/// Trigonometric functions of theta on equidistant azimuth lines theta_j = 2 pi j / n_lines. Mode 0 is 1,
+/// mode 2n - 1 is cos(n theta), mode 2n is sin(n theta), n = 1 ... n_harmonics. Values are exactly even or
+/// odd, which preserves mirror symmetry to the last bit.
 class FourierBasis
 {
 public:
@@ -33,20 +32,18 @@ public:
   }
   double sine(unsigned int harmonic, unsigned int line) const { return sines[harmonic * line % n_lines()]; }
 
-  /// Returns the projections sum_j samples(i, j) mode(theta_j): shape [n_rows, n_lines] to [n_rows, n_modes].
-  /// Samples that are exactly even give exactly zero sine modes.
+  /// Returns sum_j samples(i, j) mode(theta_j): shape [n_rows, n_lines] to [n_rows, n_modes]. Exactly even
+  /// samples give exactly zero sine modes.
   Eigen::MatrixXd project(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
   /// Returns the projections onto the conjugate of each mode; shapes as project().
   Eigen::MatrixXd project_on_conjugates(const Eigen::Ref<const Eigen::MatrixXd> &samples) const;
   /// Returns sum_mode amplitudes(i, mode) mode(theta_j): shape [n_rows, n_modes] to [n_rows, n_lines].
   /// Without sine modes the values are exactly even.
   Eigen::MatrixXd evaluate(const Eigen::MatrixXd &amplitudes) const;
-  /// Evaluates with the conjugates of the modes, -(1/n) d/dtheta of each mode: sin for cos, -cos for sin, 0
-  /// for mode 0. Azimuthal components use the conjugates.
+  /// Evaluates conjugates -(1/n) d/dtheta (azimuthal components): sin for cos, -cos for sin, 0 for mode 0.
   Eigen::MatrixXd evaluate_conjugates(const Eigen::MatrixXd &amplitudes) const;
 
-  /// Returns cos(p theta_j), p = 0 ... 2 n_harmonics, shape [n_lines, 2 n_harmonics + 1]; `sine_table`
-  /// likewise.
+  /// Returns cos(p theta_j) (sine_table(): sin), p = 0 ... 2 n_harmonics; shape [n_lines, 2 n_harmonics + 1].
   const Eigen::MatrixXd &cosine_table() const { return cosine_values; }
   const Eigen::MatrixXd &sine_table() const { return sine_values; }
 
@@ -62,18 +59,15 @@ private:
   Eigen::MatrixXd sine_values;
 };
 
-/// Sums over the lines of products of two modes with given functions, sum_j row(theta_j) column(theta_j)
-/// f(theta_j).
-///
-/// Products of two modes are half-sums of the harmonics n -/+ m, so only the sums of f with cos(p theta) and
-/// sin(p theta) are computed.
+/// Sums over the lines of two modes and given functions, sum_j row(theta_j) column(theta_j) f(theta_j), from
+/// the sums of f with cos(p theta) and sin(p theta), p the sum or difference of both harmonics.
 class FourierProducts
 {
 public:
   /// @p samples: one function a row, shape [n_functions, n_lines].
   FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples);
 
-  /// Sums for one pair of modes: a value for each function. Valid as long as the products are.
+  /// Sums for one pair of modes, by function. Valid as long as the FourierProducts.
   class ModePairSums
   {
   public:

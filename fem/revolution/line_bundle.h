@@ -46,19 +46,16 @@ private:
 /// Row-major matrix common to all lines of a bundle.
 using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Systems (1 + T D) x = b on Lanes::n lines simultaneously, each with several right-hand sides: D the
+/// Systems (1 + T D) x = b on Lanes::n lines simultaneously, with several right-hand sides: D is the
 /// compliance of a line's circles, T the banded tangent of the table law on the line. Rows of unused circles
-/// are rows of the identity.
-///
-/// Elimination without pivoting: D is positive definite and T nearly diagonal with non-negative entries, so
-/// the elimination is as stable as the elimination of D with scaled rows. Eight lines take a quarter of the
-/// time of Eigen's PartialPivLU line by line with up to 30 circles, and half of it with 60
-/// (tests/benchmark/dense_benchmark.cc).
+/// are rows of the identity. Elimination without pivoting is as stable as for D with scaled rows, because D
+/// is positive definite and T nearly diagonal with non-negative entries. Eight lines take 1/4 of the time of
+/// Eigen's PartialPivLU with up to 30 circles, 1/2 with 60 (tests/benchmark/dense_benchmark.cc).
 class LineBundle
 {
 public:
-  /// Sets all entries to zero, with @p n_circles unknowns on each line, @p band diagonals of T on either side
-  /// and @p n_columns right-hand sides.
+  /// Sets all to zero, with @p n_circles unknowns, @p band diagonals on either side, @p n_columns right
+  /// sides.
   void reset(Eigen::Index n_circles, Eigen::Index band, Eigen::Index n_columns);
 
   /// Returns the entry T(i, k), |i - k| <= band.
@@ -70,9 +67,8 @@ public:
   /// Returns the last right-hand side.
   double &unbalanced(Eigen::Index i, int lane) { return system(i, n_unknowns + n_rhs - 1, lane); }
 
-  /// Returns the solutions with D = @p normal + @p radial diag(slide), shape [n_circles, n_columns]; @p
-  /// normal and @p radial have the shape [n_circles, n_circles], @p radial may be empty. May be called once
-  /// after reset().
+  /// Returns the solutions, shape [n_circles, n_columns], with D = @p normal + @p radial diag(slide), shapes
+  /// [n_circles, n_circles]; @p radial may be empty. May be called once after reset().
   LaneTable solve(const RowMatrix &normal, const RowMatrix &radial);
 
 private:

@@ -10,17 +10,16 @@
 namespace stemware::fem
 {
 
-/// Displacement and stress everywhere in a body of revolution under forces on its contact circles, from the
-/// displacement harmonics of the whole meridian (docs/method/revolution.md, "Fields").
+/// Displacement and stress in a body of revolution under forces on its contact circles, from displacement
+/// harmonics of the meridian (docs/method/revolution.md, "Fields").
 class MeridianField
 {
 public:
   /// Solves one meridional problem for each mode with force. Keeps a reference to @p space.
   MeridianField(const MeridianSpace &space, const ElasticMaterial &material, const ForceModes &forces);
 
-  /// Amplitudes of all modes at points of one cell, cylindrical components. A field at azimuth theta is the
-  /// sum over the modes of amplitude times mode (rows `in_phase`) or times the mode's conjugate (rows
-  /// `conjugate`), FourierBasis::evaluate() and evaluate_conjugates().
+  /// Amplitudes of all modes at points of one cell, cylindrical components, for FourierBasis::evaluate()
+  /// (`in_phase`) and evaluate_conjugates() (`conjugate`).
   struct Amplitudes
   {
     std::vector<dealii::Point<2>> points; ///< (r, z) [m]
@@ -30,8 +29,7 @@ public:
     Eigen::MatrixXd conjugate;
   };
 
-  /// Returns the amplitudes at points of the unit cell, mapped to @p cell. On the axis the limits r -> 0 are
-  /// taken.
+  /// Returns the amplitudes at points of the unit cell, mapped to @p cell; on the axis the limits r -> 0.
   Amplitudes amplitudes(const dealii::DoFHandler<2>::active_cell_iterator &cell,
                         const dealii::Quadrature<2> &unit_points) const;
 

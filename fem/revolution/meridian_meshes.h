@@ -10,8 +10,8 @@
 namespace stemware::fem
 {
 
-/// Meridional meshes of a foot and of the disc under it (without cells if there is no disc). Both have the
-/// same contact cells. Includes deal.II; not for headers of the library's users.
+/// Meridional meshes of a foot and of the disc under it (empty without a disc), with the same contact cells.
+/// Includes deal.II: not for headers of the library's users.
 struct MeridianMeshes
 {
   /// Makes the meshes for @p setup.
@@ -20,16 +20,16 @@ struct MeridianMeshes
   /// Refines the flagged cells, and keeps the contact cells of both bodies equal.
   void refine();
 
-  /// Halves the cells farther from the contact circle than RevolutionSetup::zone_half_width(), except contact
-  /// cells that are in the focus of @p setup or as small as the cells in the focus.
+  /// Halves the cells farther than RevolutionSetup::zone_half_width() from the contact circle, except contact
+  /// cells in the focus of @p setup or as small as the cells in the focus.
   void refine_beyond_zone(const RevolutionSetup &setup);
 
   dealii::Triangulation<2> foot;
   dealii::Triangulation<2> disc;
 };
 
-/// Returns the compliance of foot and substrate of @p setup on @p meshes, with degree and harmonics of @p
-/// options, without the parts that the setup disables. Throws as ComplianceCache::get().
+/// Returns RevolutionSetup::total_compliance() of @p setup on @p meshes, with degree and harmonics of @p
+/// options. Throws as ComplianceCache::get().
 std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &setup,
                                                        const MeridianMeshes &meshes,
                                                        const MeridianOptions &options,

@@ -23,16 +23,16 @@
 namespace stemware::fem
 {
 
-/// Finite-element space on one meridian: displacement amplitudes u_r, u_theta, u_z of any harmonic, with
-/// the nodes on the contact zone and on the axis. Includes deal.II; not for headers of the library's users.
+/// Finite elements on one meridian: displacement amplitudes u_r, u_theta, u_z of any harmonic. Includes
+/// deal.II: not for headers of the library's users.
 class MeridianSpace
 {
 public:
   using Dof = dealii::types::global_dof_index;
   using NodeDofs = std::array<Dof, 3>; ///< dofs of one node, in the order r, theta, z
 
-  /// Keeps a reference to @p triangulation, whose contact zone has boundary id 2 and whose clamp has 1.
-  /// Throws std::invalid_argument when it has no contact zone.
+  /// Keeps a reference to @p triangulation, with boundary id 2 of the contact zone and 1 of the clamp. Throws
+  /// std::invalid_argument without a contact zone.
   MeridianSpace(const dealii::Triangulation<2> &triangulation, const ElasticMaterial &material,
                 unsigned int degree);
 
@@ -50,8 +50,7 @@ public:
   {
   public:
     Factors(const MeridianSpace &space, unsigned int harmonic);
-    /// Overwrites the @p forces per radian on the free dofs [N/rad] with their displacements times int
-    /// (mode)^2 dtheta [m rad].
+    /// Overwrites @p forces on the free dofs [N/rad] with displacements times int (mode)^2 dtheta [m rad].
     void solve(dealii::Vector<double> &forces) const;
 
   private:
@@ -62,16 +61,15 @@ public:
   /// Returns the factors of a harmonic, computed once. Thread-safe.
   const Factors &factors(unsigned int harmonic) const;
 
-  /// Contact compliances of all harmonics with the same conditions on the axis, and therefore the same order
-  /// of elimination: n = 0, n = 1, or n >= 2. Thread-safe.
+  /// Contact compliances of the harmonics with equal conditions on the axis and therefore an equal order of
+  /// elimination: n = 0, n = 1, or n >= 2. Thread-safe.
   class Compliances
   {
   public:
-    /// Prepares all harmonics with the axis conditions of @p harmonic; contact nodes @p first ... @p first +
-    /// @p size - 1.
+    /// Prepares harmonics with the axis conditions of @p harmonic; nodes @p first ... @p first + @p size - 1.
     Compliances(const MeridianSpace &space, unsigned int harmonic, Eigen::Index first, Eigen::Index size);
-    /// Returns the displacements of the contact nodes under a vertical unit force per radian on each node; by
-    /// reciprocity also the vertical displacements under radial and azimuthal forces.
+    /// Returns the displacements of the contact nodes under vertical unit forces per radian, by reciprocity
+    /// also the vertical displacements under radial and azimuthal forces.
     HarmonicCompliance operator()(unsigned int harmonic) const;
 
   private:

@@ -17,7 +17,7 @@ class MeshedRevolutionFoot : public RevolutionFoot
 {
 public:
   using RevolutionFoot::RevolutionFoot;
-  /// Computes the compliances. Throws std::invalid_argument for a setup that is not allowed.
+  /// Computes the compliances. Throws std::invalid_argument for an inadmissible setup.
   explicit MeshedRevolutionFoot(const RevolutionSetup &setup);
   /// Takes the compliances from @p cache, which other feet share.
   MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);

@@ -6,13 +6,11 @@
 namespace stemware::fem
 {
 
-/// Contact pressure of a body of revolution at any point of its contact zone: by the table law on the azimuth
-/// lines, linearly interpolated between the lines.
+/// Contact pressure of a body of revolution: by the table law on the azimuth lines, linear between the lines.
 class PressureField
 {
 public:
-  /// Evaluates @p body and @p solution; keeps a reference to @p law, whose pressure depends on the
-  /// penetration only. @p gap is the body's.
+  /// Evaluates @p body, with its @p gap, and @p solution; keeps a reference to @p law, which must be local.
   PressureField(const BodyOfRevolution &body, const TableLaw &law, const ContactSolution &solution,
                 BodyOfRevolution::Gap gap);
 

@@ -14,8 +14,7 @@
 namespace stemware::fem
 {
 
-/// Foot as a body of revolution on its table, defined by its compliance only; contacts by RevolutionContact.
-/// Not collective.
+/// Foot as a body of revolution, defined by its compliance; solved by RevolutionContact. Not collective.
 ///
 ///     RevolutionSetup setup;                                       // glass, table and resolution
 ///     setup.table.interface = std::make_shared<RoughInterface>();
@@ -24,9 +23,8 @@ namespace stemware::fem
 class RevolutionFoot : public Foot
 {
 public:
-  /// Creates a foot with @p compliance of the foot and substrate of @p setup, on the whole land or on a part
-  /// of it. A contact that reaches the border of the part throws std::out_of_range. Throws
-  /// std::invalid_argument for an inadmissible setup.
+  /// Creates a foot with the total @p compliance of @p setup on the whole land, or on a part of it beyond
+  /// which contacts throw std::out_of_range. Throws std::invalid_argument for an inadmissible setup.
   RevolutionFoot(const RevolutionSetup &setup, std::shared_ptr<const ContactCompliance> compliance);
 
   /// Copies the foot with its own state.
@@ -37,7 +35,7 @@ public:
   FootCapabilities capabilities() const override;
   ContactState solve(const ContactDemand &demand, const ring::Slip &slip = {}, const ContactGuess &guess = {},
                      const std::function<void(const ContactIteration &)> &progress = {}) const override;
-  /// Returns std::nullopt unless both feet are without waviness and have the same bodies and hardness.
+  /// Returns std::nullopt unless both feet are without waviness and have equal bodies and hardness.
   std::optional<ContactStart> predict_from(const ContactStart &start, unsigned int zone,
                                            const Foot &similar) const override;
   unsigned int n_resolved_harmonics() const override;
@@ -64,8 +62,7 @@ protected:
   Zone &zone_of(const ContactState &state) const;
   BodyOfRevolution::Gap gap_at(const ring::Orientation &marks) const;
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Returns the azimuth of the first line [rad]: crest() minus whole line spacings, within half a spacing of
-  /// the direction of travel.
+  /// Returns the azimuth of the first line [rad]: crest() minus whole spacings, within half a spacing of 0.
   double axis(const ring::Orientation &marks) const;
 
   const RevolutionSetup setup;
@@ -73,8 +70,7 @@ protected:
   const std::shared_ptr<const InterfaceLaw> interface;       ///< penalty law if the table is hard
 
 private:
-  /// Returns the compliance of the whole land, for contacts beyond the part. Throws std::out_of_range if it
-  /// is unknown.
+  /// Returns the compliance of the whole land. Throws std::out_of_range if it is unknown.
   virtual std::shared_ptr<const ContactCompliance> whole_land_compliance() const;
   /// Returns the zone with its gaps at @p marks; the body's state is undefined.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
@@ -82,22 +78,20 @@ private:
   bool has_left(const Zone &zone) const;
   /// Solves the contact of @p state on its zone, in the axes of the lines.
   void press(const ContactGuess &guess, ContactState &state) const;
-  /// Returns @p guess in the axes of the lines, with the marks at @p marks. The previous contact keeps its
-  /// penetration at its old position and, if the crests have moved by whole lines, also at the rotated
-  /// position; the variant that led to the last solution comes first.
+  /// Returns @p guess in the axes of the lines, with the marks at @p marks. The previous penetration is used
+  /// as it is and, if the crests have moved by whole lines, also rotated; the more successful variant comes
+  /// first.
   RevolutionGuesses starts_from(const ContactGuess &guess, const ring::Orientation &marks) const;
 
   /// Returns nodal values rotated counter-clockwise by @p n lines.
   Eigen::VectorXd rotated_by_lines(const Eigen::VectorXd &nodal, long n) const;
   double line_spacing() const; ///< [rad]
-  /// Returns the azimuth of the crests of the rim's waviness, else of the table's; 0 without waviness [rad].
+  /// Returns the azimuth [rad] of the crests of the rim's waviness, or else the table's; 0 without waviness.
   double crest(const ring::Orientation &marks) const;
-  /// Returns the index of the line nearest to the crests. Lines follow the crests, because a narrow contact
-  /// at a crest would otherwise lie between lines at one phase and on a line at the next, and would not
-  /// depend smoothly on the phase. A rotation by whole lines changes nothing.
+  /// Returns the index of the line nearest to the crests. Lines follow the crests: a narrow contact at a
+  /// crest on a line at one phase and between lines at the next would not depend smoothly on the phase.
   long crest_line(const ring::Orientation &marks) const;
-  /// Zone of the band about the contact radius, and of the whole land for contacts beyond the band, created
-  /// on demand.
+  /// Zone of the band about the contact radius; zone of the whole land, created on demand.
   mutable std::array<std::unique_ptr<Zone>, 2> zones;
 };
 

@@ -11,14 +11,11 @@
 namespace stemware::fem
 {
 
-/// Returns the foot as a VTU file: meridional cells swept round the axis in sectors, with the fields of
-/// SolidBody::fields(): `displacement` [m] in the slip frame with the table at rest (the table @p motion (q0,
-/// q1, q2) is transferred to the glass; azimuths of the field start at @p axis), `stress` [Pa], `strain`,
-/// `von_mises_stress` [Pa], `contact_pressure` [Pa] on the contact zone. Stress and strain at shared nodes
-/// are means over the cells.
-///
-/// Contact cells wider than the contact are divided along r until the interpolated pressure integrates to N
-/// within half a per cent.
+/// Returns the foot as a VTU file, meridional cells swept round the axis: `displacement` [m] in the slip
+/// frame with the table at rest (the table @p motion (q0, q1, q2) is transferred to the glass; azimuths of
+/// the field start at @p axis), `stress` [Pa], `strain`, `von_mises_stress` [Pa], `contact_pressure` [Pa].
+/// Stress and strain at shared nodes are means over the cells. Contact cells are divided along r until the
+/// interpolated pressure integrates to N within 0.5 %.
 std::string revolution_fields(const MeridianField &field, const PressureField &pressure,
                               const Eigen::Vector3d &motion, double axis);
 

@@ -3,9 +3,9 @@
 namespace stemware::fem
 {
 
-/// Holds OpenMP in this thread, and OpenBLAS in the whole process, to one thread while the object lives: the
-/// callers have threads of their own, and results do not depend on their number. Objects in several threads
-/// may overlap: the first one sets OpenBLAS's count, the last one restores it.
+/// Limits OpenMP in this thread and OpenBLAS in the process to one thread during its lifetime, so that
+/// results do not depend on numbers of threads. Objects may overlap: the first sets OpenBLAS's count, the
+/// last restores it.
 class SingleThread
 {
 public:
@@ -18,8 +18,7 @@ private:
   const int omp_threads, omp_levels; ///< to be restored
 };
 
-/// Returns whether several threads may use the system's BLAS together. False for OpenBLAS built for one
-/// thread, which then gives wrong numbers.
+/// Returns whether several threads may use BLAS together; serial OpenBLAS would give wrong numbers.
 bool blas_takes_threads();
 
 } // namespace stemware::fem

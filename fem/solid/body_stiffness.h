@@ -11,8 +11,7 @@
 namespace stemware::fem
 {
 
-/// Stiffness K of a body, and an approximate inverse of K + B' T B with the tangent T of the table at its
-/// contact nodes: the linear algebra of a SolidBody.
+/// Stiffness K of a SolidBody, and an approximate inverse of K + B' T B with the table's tangent T.
 class BodyStiffness
 {
 public:
@@ -32,8 +31,8 @@ public:
   virtual void set_contact(const Eigen::SparseMatrix<double> &tangent) = 0;
   /// Computes an approximate solution @p dst of (K + B' T B) dst = @p src; symmetric and positive definite.
   virtual void precondition(Vector &dst, const Vector &src) const = 0;
-  /// Returns a stiffness that shares the memory of this one, for a second system solved alternately; each
-  /// system sets its T before it is solved. nullptr: not supported.
+  /// Returns a stiffness that shares memory with this one, for a second system solved alternately, each after
+  /// its set_contact(). nullptr: not supported.
   virtual std::unique_ptr<BodyStiffness> shared() const { return nullptr; }
 
   /// Returns whether the mesh was refined from a coarser mesh.

@@ -8,8 +8,7 @@
 namespace stemware::fem
 {
 
-/// Global numbers of the active cells of a distributed mesh, independent of the number of ranks: positions in
-/// the sorted list of all cell ids.
+/// Global numbers of the active cells of a distributed mesh: positions in the sorted list of all cell ids.
 class CellNumbers
 {
 public:
@@ -17,12 +16,10 @@ public:
   explicit CellNumbers(const dealii::Triangulation<3> &mesh);
 
   std::size_t size() const { return cells.size(); }
-  /// Returns the number of the cell @p id, or of its active ancestor. Throws std::logic_error if there is
-  /// none.
+  /// Returns the number of cell @p id or its active ancestor. Throws std::logic_error if there is none.
   std::size_t operator()(const dealii::CellId &id) const;
 
-  /// Returns groups of cells at the same radius and height: rings of cells on a foot of revolution, single
-  /// cells on a mesh without symmetry. Collective.
+  /// Returns groups of cells of equal radius and height: rings on a mesh of revolution. Collective.
   std::vector<std::vector<std::size_t>> rings() const;
 
 private:
@@ -30,8 +27,8 @@ private:
   std::vector<dealii::CellId> cells;
 };
 
-/// Halves the cells with the numbers @p marked in all directions, and neighbours so that adjacent cells
-/// differ by at most one level. Collective.
+/// Halves the cells with numbers @p marked, and others so that neighbours differ by at most one level.
+/// Collective.
 void halve(dealii::parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked);
 
 } // namespace stemware::fem

@@ -37,7 +37,7 @@ public:
   float el(size_type, size_type) const;
 
   void initialize_dof_vector(FloatVector &vector) const { elastic->initialize_dof_vector(vector); }
-  /// Returns the inverse diagonal of Jacobi's method, updated by set_contact().
+  /// Returns the inverse diagonal, updated by set_contact().
   const std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> &jacobi() const { return inverse_diagonal; }
 
 private:
@@ -52,12 +52,10 @@ private:
 using LevelSmoother =
   dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
 
-/// Parameters of multigrid, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
-/// (docs/method/solid_measurements.md).
+/// Parameters of multigrid (docs/method/solid_measurements.md).
 struct MultigridParameters
 {
-  /// Degree of the smoother's polynomial, and the ratio of the largest eigenvalue to the lower end of the
-  /// smoothed range; the cost of a linear solve depends little on either.
+  /// Degree of the smoother's polynomial, and ratio of the largest to the smallest smoothed eigenvalue.
   unsigned int degree = 5;
   double smoothing_range = 40;
   unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
@@ -68,15 +66,14 @@ inline constexpr MultigridParameters multigrid_parameters = {};
 /// Returns the options of the smoother of every level.
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
-/// Approximate inverse of K + B' T B on the coarsest level: a two-grid cycle, Chebyshev smoothing before and
-/// after a correction by coarse_preconditioner(). Symmetric and positive definite.
-///
-/// Matrix and preconditioner are set up by the first set_contact(), and again when T has changed much.
+/// Approximate inverse of K + B' T B on the coarsest level, symmetric and positive definite: Chebyshev
+/// smoothing before and after a correction by algebraic multigrid. Set up by the first set_contact(), and
+/// again when T has changed much.
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
-  /// Keeps references to @p level and to @p matrix, the matrix of this level. The contact of @p matrix must
-  /// be set first. @p nodes: contact nodes of the level.
+  /// Keeps references to @p level and its @p matrix, whose contact must be set first. @p nodes: contact nodes
+  /// of the level.
   CoarseSolver(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material,
                const std::shared_ptr<const ContactNodes> &nodes);
 

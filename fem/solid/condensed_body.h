@@ -10,30 +10,29 @@
 namespace stemware::fem
 {
 
-/// Compliance of a solid foot between its contact nodes on one rank: vertical displacement of the row's node
-/// per unit force at the column's node [m/N], shape [n_nodes, n_nodes].
+/// Compliance of a solid foot on one rank: vertical displacement of the row's contact node per unit force at
+/// the column's [m/N], shape [n_nodes, n_nodes].
 struct NodalCompliance
 {
   Eigen::MatrixXd normal;           ///< compliance for vertical forces; symmetric
   Eigen::MatrixXd along_x, along_y; ///< compliances for horizontal forces; empty unless requested
 };
 
-/// Returns the compliance of @p level between its contact @p nodes, by a static condensation of its
-/// stiffness; @p with_horizontal: of horizontal forces too. Throws std::runtime_error unless the stiffness is
-/// positive definite.
+/// Returns the compliance of @p level between its contact @p nodes by static condensation, @p with_horizontal
+/// for horizontal forces too. Throws std::runtime_error unless the stiffness is positive definite.
 NodalCompliance condense(const SolidLevel &level, const ElasticMaterial &material, const ContactNodes &nodes,
                          bool with_horizontal);
 
-/// Solid foot condensed to its contact nodes: each Newton step is a dense system of the loaded nodes. The
-/// state is the vector of nodal forces whose elastic response is the displacement.
+/// Solid foot condensed to its contact nodes: a Newton step is a dense system of the loaded nodes. The state
+/// is the nodal forces whose elastic response is the displacement.
 class CondensedBody : public ElasticBody
 {
 public:
   /// @p surface of one rank, which must outlive the body.
   CondensedBody(const ContactSurface &surface, std::shared_ptr<const NodalCompliance> compliance);
 
-  /// Sets the friction force (x, y) on the foot per normal force at each node, shape [n_nodes, 2]; empty:
-  /// without friction. Keeps the forces.
+  /// Sets the friction force (x, y) on the foot per normal force at each node, shape [n_nodes, 2] (empty:
+  /// none).
   void set_friction(const Eigen::MatrixX2d &friction);
   /// Sets the state to the displacement under nodal @p forces [N].
   void set_forces(const Eigen::VectorXd &forces);

@@ -8,12 +8,10 @@ namespace stemware::fem
 {
 
 /// Returns a mapping of @p mesh of degree @p degree without gaps at hanging nodes: finer faces lie on the
-/// polynomials of the coarser face, not on the exact surface.
-///
-/// deal.II's mapping leaves gaps of a few 1e-8 m on a foot of 48 sectors. Displacements are continuous in
-/// reference coordinates, hence discontinuous in space across a gap: on meshes refined at some azimuths only,
-/// a_2 was wrong by 2e-5 of a_0. @p mesh must outlive the mapping. Collective. Throws std::runtime_error for
-/// inverted cells (cells refined next to a coarse chord of the rim).
+/// polynomials of the coarser face, not on the exact surface. deal.II's mapping leaves gaps of a few 1e-8 m,
+/// across which displacements are discontinuous in space: on meshes refined at some azimuths only, a_2 was
+/// wrong by 2e-5 of a_0. @p mesh must outlive the mapping. Collective. Throws std::runtime_error for inverted
+/// cells (refined next to a coarse chord of the rim).
 std::unique_ptr<const dealii::MappingQ<3>> conforming_mapping(const dealii::Triangulation<3> &mesh,
                                                               unsigned int degree);
 

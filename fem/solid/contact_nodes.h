@@ -16,17 +16,15 @@ namespace stemware::fem
 /// Returns SurfaceParts with one part on each rank of @p communicator.
 SurfaceParts parts_on_ranks(const MPI_Comm &communicator);
 
-/// Contact nodes of a rank: its owned nodes, then ghost nodes of other ranks, each in the order of their
-/// dofs. Collective.
-///
-/// Nodal values come in the two layouts of ContactSurface: own nodes, and own plus ghost nodes.
+/// Contact nodes of a rank, in the order of their dofs: owned nodes, then ghost nodes. Nodal values come in
+/// the two layouts of ContactSurface. Collective.
 class ContactNodes
 {
 public:
   using Dof = dealii::types::global_dof_index;
 
-  /// @p dofs: dofs of the nodes of this rank's part of the surface, in any order. Owned nodes (dofs in @p
-  /// owned) requested by other ranks are added.
+  /// @p dofs: dofs of the nodes of this rank's part of the surface; nodes @p owned here that other ranks have
+  /// are added.
   ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
@@ -45,8 +43,7 @@ public:
   template <typename Number>
   Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
 
-  /// Returns the values at all nodes, ghosts included, from the values @p own at owned nodes, shape
-  /// [n_owned_nodes].
+  /// Returns the values at all nodes from the values @p own at owned nodes, shape [n_owned_nodes].
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
   /// Returns the sums over all parts at the owned nodes; @p parts has the shape [n_nodes].
   Eigen::VectorXd summed(const Eigen::VectorXd &parts) const;
@@ -64,8 +61,8 @@ public:
     Dof row, column;
     double value;
   };
-  /// Returns the rows of the owned nodes of the sum of @p parts over all ranks, shape [n_nodes, n_nodes]; an
-  /// entry may occur several times.
+  /// Returns the owned nodes' rows of the sum of @p parts, shape [n_nodes, n_nodes], over all ranks; entries
+  /// may repeat.
   std::vector<Entry> owned_rows(const Eigen::SparseMatrix<double> &parts) const;
 
 private:

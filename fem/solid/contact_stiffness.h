@@ -52,13 +52,12 @@ struct ContactElements
 /// Contact nodes of a coarse mesh, and their interpolation to the contact nodes of a finer mesh.
 struct ContactInterpolation
 {
-  std::shared_ptr<const ContactNodes> coarse_nodes; ///< nodes of contact_dofs() and further nodes used by the
-                                                    ///< rows
+  std::shared_ptr<const ContactNodes> coarse_nodes; ///< contact_dofs(), and nodes used by the rows
   Eigen::SparseMatrix<double> matrix;               ///< shape [n fine, n coarse]
 };
 
-/// Returns the interpolation from contact nodes of @p coarse to @p fine_nodes, contact nodes of @p fine.
-/// Cells of the two meshes are equal or parent and child; elements and ranks may differ.
+/// Returns the interpolation from contact nodes of @p coarse to @p fine_nodes of @p fine. Cells of the two
+/// meshes are equal or parent and child; elements and ranks may differ.
 ContactInterpolation interpolation_between(const ContactElements &coarse, const ContactElements &fine,
                                            const ContactNodes &fine_nodes);
 

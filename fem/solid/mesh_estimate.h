@@ -26,14 +26,12 @@ struct SolvedSolidContact
 /// Returns the discretisation error of @p goal, in the axes of @p contact (docs/method/error_bands.md, "The
 /// error of one number").
 ///
-/// The contact is solved again from the present displacement, on elements of one degree more that are halved
-/// under the load and at re-entrant edges, friction and conditions included: the correction is the change of
-/// the goal. The cells' shares are the residual of the present displacement under the new forces times the
-/// difference between the dual displacement and its interpolant, unknown by unknown; the dual system is taken
-/// without friction and with prescribed resultants. Cells are numbered by CellNumbers.
-///
-/// Both systems are solved by multigrid (MeshHierarchy). Collective. Throws std::invalid_argument if the
-/// coarsest mesh is too large for multigrid, std::runtime_error if it does not converge, and ContactFailure.
+/// The contact is solved again from the present displacement, on elements of one degree more, halved under
+/// the load and at re-entrant edges: the correction is the change of the goal. The cells' shares, numbered by
+/// CellNumbers, are the residual of the present displacement under the new forces times the dual displacement
+/// minus its interpolant; the dual system is without friction, with prescribed resultants. Both systems are
+/// solved by multigrid (MeshHierarchy). Collective. Throws std::invalid_argument if the coarsest mesh is too
+/// large for multigrid, std::runtime_error without convergence, and ContactFailure.
 MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGoal &goal, bool with_cells);
 
 } // namespace stemware::fem

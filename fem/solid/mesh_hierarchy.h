@@ -14,8 +14,7 @@
 namespace stemware::fem
 {
 
-/// Clamps FootBoundary::stem_cut, and ties hanging nodes. Throws std::invalid_argument when the mesh has no
-/// stem cut.
+/// Clamps FootBoundary::stem_cut and ties hanging nodes. Throws std::invalid_argument without a stem cut.
 dealii::AffineConstraints<double> clamp_stem_cut(const dealii::DoFHandler<3> &dof_handler);
 
 /// Mesh with finite elements on it.
@@ -39,17 +38,14 @@ struct LevelElements
   unsigned int degree;
 };
 
-/// Returns the levels of a hierarchy for elements of @p degree on @p triangulation, which must outlive them:
-/// linear elements on its coarsest mesh, then elements of @p degree on all meshes from the coarsest to the
-/// finest.
+/// Returns the levels of a hierarchy on @p triangulation, which must outlive them: linear elements on the
+/// coarsest mesh, then elements of @p degree on all meshes from the coarsest to the finest.
 std::vector<LevelElements> levels_of(const dealii::Triangulation<3> &triangulation, unsigned int degree);
 
 /// Geometric multigrid for an elastic foot: V-cycles in single precision over the refinement history of a
-/// triangulation, each level with the table's stiffness (docs/method/solid_at_scale.md).
-///
-/// Level 0 has linear elements and is solved by a CoarseSolver. From one level to the next, cells are
-/// kept or halved, or the degree rises. Matrix-free; smoothed by Chebyshev polynomials of the Jacobi-scaled
-/// operator.
+/// triangulation, each level with the table's stiffness (docs/method/solid_at_scale.md). Level 0 has linear
+/// elements and a CoarseSolver. From one level to the next, cells are kept or halved, or the degree rises.
+/// Matrix-free; smoothed by Chebyshev polynomials of the Jacobi-scaled operator.
 class MeshHierarchy
 {
 public:
@@ -64,19 +60,17 @@ public:
   /// Returns the lowest level with the elements of the finest.
   unsigned int coarsest_mesh() const;
   const SolidLevel &level(unsigned int l) const;
-  /// Returns the contact nodes of level @p l: nodes of this rank's cells and nodes needed to interpolate to
-  /// the level above.
+  /// Returns the contact nodes of level @p l, of this rank's cells and for interpolation to the level above.
   const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const;
 
-  /// Prepares V-cycles from level @p l down for K + B' T B; @p tangent: this rank's part of T at the contact
-  /// nodes of level @p l.
+  /// Prepares V-cycles for K + B' T B from level @p l down; @p tangent: this rank's part of T on level @p l.
   void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
 
   /// Applies one V-cycle from level @p l down: @p dst approximates the solution of (K + B' T B) dst = @p src.
   void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
 
-  /// Interpolates @p coarse, a vector of the level below, to @p fine, a vector of level @p l, in single
-  /// precision; constrained unknowns are 0.
+  /// Interpolates @p coarse of the level below to @p fine of level @p l in single precision; constrained
+  /// unknowns are 0.
   template <typename Number>
   void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,
                   const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;

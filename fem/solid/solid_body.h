@@ -16,24 +16,21 @@ struct FieldFile;
 struct ScaledMotions;
 struct SolidIncrement;
 
-/// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks, under three
-/// conditions on its contact forces.
+/// Three-dimensional elastic foot: hexahedra of degree 1 or 2, distributed over MPI ranks.
 ///
-/// The table motions border the equations and are eliminated: with G = B' T Q and C = Q' T Q, conjugate
-/// gradients act on K + B' T B - G C^-1 G', so that every iterate fulfils the conditions on the forces to
-/// rounding. The BodyStiffness inverts K + B' T B approximately; W ~ (K + B' T B)^-1 G accounts for the
-/// border. Conditions other than resultants are fulfilled at the end by a table motion and its response W.
+/// The table motions are eliminated: with G = B' T Q and C = Q' T Q, conjugate gradients act on K + B' T B -
+/// G C^-1 G', so that every iterate fulfils prescribed resultants to rounding. The preconditioner is the
+/// approximate inverse of BodyStiffness, corrected by W ~ (K + B' T B)^-1 G for the last term. Other
+/// conditions are fulfilled at the end by a table motion and its response W.
 class SolidBody : public ElasticBody
 {
 public:
   using Vector = BodyStiffness::Vector;
 
-  /// Sets up dofs, clamps FootBoundary::stem_cut, prepares K and describes the contact zone, @p gap above the
-  /// table. The triangulation is serial or distributed over its communicator, and must outlive the body.
-  /// Throws std::invalid_argument if the mesh has no stem cut or no contact zone.
-  ///
-  /// @p similar: body of the same triangulation, material and elements, solved alternately with this one; the
-  /// two share the elements of a multigrid method.
+  /// Sets up a body clamped at FootBoundary::stem_cut, @p gap above the table. @p triangulation, serial or
+  /// distributed, must outlive the body. Throws std::invalid_argument without a stem cut or contact zone. @p
+  /// similar: body of equal triangulation, material and elements, solved alternately with this one, with
+  /// which it shares multigrid data.
   SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
             const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
   /// Creates a body with the given stiffness; @p linear_tolerance and @p line_factor as in SolidOptions.
@@ -56,11 +53,11 @@ public:
   /// Returns the smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
-  /// Sets the friction that deforms the body, proportional to the contact forces, by @p traction in the axes
-  /// of the mesh. Throws as SlidingTraction::validate().
+  /// Sets the friction that deforms the body, @p traction in the mesh's axes. Throws as
+  /// SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
-  /// Returns the friction force (x, y) on the foot per normal force at the contact nodes, shape [n_nodes, 2];
-  /// empty without friction.
+  /// Returns the friction force (x, y) on the foot per normal force, shape [n_nodes, 2]; empty without
+  /// friction.
   Eigen::MatrixX2d friction_per_force() const { return has_friction() ? friction : Eigen::MatrixX2d(); }
   /// Sets SolidOptions::linear_tolerance.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
@@ -72,8 +69,7 @@ public:
   /// Interpolates the displacement of coarser() to this body.
   void interpolate_from(const SolidBody &coarse);
 
-  /// Writes the binary state of this rank for the next solve; readable by a body on the same mesh and number
-  /// of ranks.
+  /// Writes this rank's binary state, to be read on the same mesh and number of ranks.
   void write_state(std::ostream &stream) const;
   void read_state(std::istream &stream);
 
@@ -89,10 +85,8 @@ public:
   Vector solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
                          const Eigen::Vector3d &on_motions, double reduction);
 
-  /// Returns the field files of this rank: displacement [m] in the slip frame with the table at rest (the
-  /// rigid motion @p motion is transferred to the glass), stress [Pa], contact pressure [Pa] of @p
-  /// nodal_pressure. One rank: contact.vtu. Several ranks: contact_<rank>.vtu on each rank with cells, and on
-  /// the first rank contact.pvtu, which lists them.
+  /// Returns this rank's VTU files, FieldFile: displacement [m] in the slip frame with the table at rest (@p
+  /// motion is transferred to the glass), stress [Pa], contact pressure [Pa] of @p nodal_pressure.
   std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:
@@ -105,14 +99,12 @@ private:
   bool has_friction() const { return sliding.friction_coefficient != 0; }
   /// Returns B' @p forces with the friction of these forces.
   Vector contact_load(const Eigen::VectorXd &forces) const;
-  /// Sets @p tangent and starts a step. @p moment_conditions: conditions other than prescribed resultants;
-  /// otherwise nullptr.
+  /// Sets @p tangent and starts a step. @p moment_conditions: nullptr under prescribed resultants.
   SymmetricStep begin_step(const Eigen::SparseMatrix<double> &tangent,
                            const LinearConditions *moment_conditions);
   /// Returns the border of the present contact stiffness with W solved to @p tolerance.
   Border make_border(const Eigen::MatrixX3d &modes, double tolerance);
-  /// Returns the useful target residual [N] of a system with the initial residual @p residual under contact
-  /// forces of norm @p force.
+  /// Returns the target residual [N] for the initial @p residual under contact forces of norm @p force.
   double target_residual(double residual, double force);
   /// Converts a solution under prescribed resultants to @p conditions.
   void close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
@@ -130,8 +122,7 @@ private:
   const SolidContactZone zone;
   const std::vector<HorizontalPlaces> horizontal;
   SlidingTraction sliding;
-  /// Friction force (x, y) on the foot per normal force at the contact nodes, shape [n_nodes, 2]; empty
-  /// without friction.
+  /// See friction_per_force().
   Eigen::MatrixX2d friction;
 
   Vector displacement;

@@ -12,8 +12,7 @@
 namespace stemware::fem
 {
 
-/// Lines of a contact face. The border of the contact crosses a face between lines, where the line integrals
-/// are not smooth: more lines than a smooth integrand needs.
+/// Lines of a contact face: many, because line integrals are not smooth across the contact's border.
 constexpr unsigned int default_lines_per_face = 8;
 
 /// Gap between the undeformed contact zone and a plane table at (x, y), in addition to the z of the mesh [m].
@@ -43,10 +42,9 @@ std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof
 std::vector<dealii::types::global_dof_index>
 contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
 
-/// Describes this rank's faces with FootBoundary::contact_zone; @p nodes contain the nodes of contact_dofs().
-/// Every face has @p lines_per_face lines at Gauss points of its more azimuthal direction; hanging nodes are
-/// replaced by their parents; the gap of a point is its z plus @p gap(x, y). Throws std::invalid_argument if
-/// no rank has such a face.
+/// Describes this rank's faces with FootBoundary::contact_zone; @p nodes include contact_dofs(). A face has
+/// @p lines_per_face lines at Gauss points of its more azimuthal direction; hanging nodes are replaced by
+/// their parents; the gap is z plus @p gap(x, y). Throws std::invalid_argument if no rank has such a face.
 SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
                                        const dealii::DoFHandler<3> &dof_handler,
                                        const dealii::AffineConstraints<double> &constraints,

@@ -46,18 +46,16 @@ struct SolidSetup
   GlassProfile profile;
   ElasticMaterial material;
   Table table;
-  /// mu of the friction that deforms the foot; 0: friction does not change the pressure.
+  /// mu of the friction that deforms the foot; 0: no effect on the pressure.
   double friction_coefficient = 0;
   /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
-  double hardness = 1;  ///< penalty of a hard interface over the default; below 1 for any
-                        ///< interface, over its own stiffness
+  double hardness = 1;  ///< penalty of a hard interface over the default; < 1: of any interface
 };
 
-/// Foot as three-dimensional finite elements on all MPI ranks. The x axis of a mesh file is the azimuth 0 of
-/// the glass, and the foot rotates with ring::Slip::orientation. A generated mesh is axisymmetric and does
-/// not rotate.
+/// Foot as three-dimensional finite elements on all MPI ranks. A foot from a mesh file, with azimuth 0 along
+/// x, rotates with ring::Slip::orientation. A generated mesh is axisymmetric and does not rotate.
 ///
 ///     SolidSetup setup;
 ///     setup.table.interface = std::make_shared<WinklerInterface>(1e10);       // [Pa/m]
@@ -66,8 +64,8 @@ struct SolidSetup
 class SolidFoot : public Foot
 {
 public:
-  /// Throws std::invalid_argument for an inadmissible mesh or setup; the substrate must be rigid. @p similar:
-  /// foot of the same mesh, material and elements, not used while this one solves; the two share data.
+  /// Throws std::invalid_argument for an inadmissible mesh or setup, or a substrate. @p similar: foot of
+  /// equal mesh, material and elements to share data with, not used while this one solves.
   SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar = nullptr);
 
   ~SolidFoot() override;
@@ -85,10 +83,9 @@ public:
   std::vector<PointForce> point_forces(const ContactState &state) const override;
   PressureMap pressure_map(const ContactState &state) const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
-  /// Estimates the error by estimate_mesh_error(). Returns std::nullopt in two cases: a hard table on a mesh
-  /// without a hierarchy (nodal multipliers have no counterpart on other elements), and a contact narrower
-  /// than two cells, which finer elements do not resolve (except beside the right angle of a step's flat
-  /// land).
+  /// Returns estimate_mesh_error(), or std::nullopt for a hard table on a mesh without a hierarchy (nodal
+  /// multipliers are of no use on other elements) and for a contact narrower than two cells, which finer
+  /// elements do not resolve (except at the edge of a step's flat land).
   std::optional<MeshError> mesh_error(const ContactState &state, const ContactGoal &goal,
                                       bool with_cells) const override;
 
@@ -106,7 +103,7 @@ private:
   double axis_of(const ring::Slip &slip) const { return mesh.report ? slip.orientation.glass : 0; }
   /// Returns whether a hard table uses nodal multipliers: on a mesh without a coarser mesh.
   bool has_multipliers() const { return setup.table.interface->is_hard() && softening_of_coarser == 1; }
-  /// Calls solve_contact() on this body; multipliers with a sequence of decreasing tolerances.
+  /// Calls solve_contact() on this body; with multipliers, at decreasing tolerances.
   ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
                                std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
@@ -117,8 +114,7 @@ private:
   const std::unique_ptr<SolidBody> body; ///< work space of contacts; its state between calls is undefined
   std::shared_ptr<const NodalCompliance> compliance;   ///< nullptr: contacts are solved on the whole body
   std::unique_ptr<CondensedBody> condensed;            ///< nullptr without compliance
-  const std::shared_ptr<const InterfaceLaw> interface; ///< a penalty law for a hard interface on a mesh
-                                                       ///< hierarchy
+  const std::shared_ptr<const InterfaceLaw> interface; ///< penalty law for a hard interface on a hierarchy
   const double softening_of_coarser;                   ///< see start_from_coarser_mesh()
   const std::unique_ptr<TableLaw> law;
   const unsigned int n_contact_nodes; ///< number of contact nodes of all ranks

@@ -19,8 +19,7 @@ class AffineConstraints;
 namespace stemware::fem
 {
 
-/// Matrix-free stiffness K of assemble_stiffness(), several cells at a time in SIMD lanes. @p Number is
-/// double or float.
+/// Matrix-free stiffness K of assemble_stiffness(), cells in SIMD lanes. @p Number: double or float.
 template <typename Number>
 class ElasticOperator
 {
@@ -39,8 +38,8 @@ public:
   virtual void initialize_dof_vector(Vector &vector) const = 0;
 };
 
-/// Makes the operator of a DoFHandler whose element is an FESystem of three FE_Q of degree 1, 2 or 3. All
-/// arguments but the material must outlive it. Throws std::invalid_argument for another degree.
+/// Makes the operator for an FESystem of three FE_Q of degree 1, 2 or 3; else throws std::invalid_argument.
+/// All arguments but the material must outlive the operator.
 template <typename Number>
 [[gnu::visibility("default")]] std::unique_ptr<ElasticOperator<Number>>
 make_elastic_operator(const dealii::Mapping<3, 3> &mapping, const dealii::DoFHandler<3, 3> &dof_handler,
