@@ -66,7 +66,7 @@ struct Budget
 };
 
 /// Returns @p difference over @p reference; 0 if the difference is rounding, below 1e-9 @p spin_scale
-/// [rad/s]; std::nullopt if one is missing, or if reference or the sum is rounding or their signs differ.
+/// [rad/s]; std::nullopt if one is missing, or if reference or new value is rounding or their signs differ.
 std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_scale);
 

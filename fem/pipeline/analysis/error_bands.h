@@ -27,7 +27,7 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
                           const Executor &executor, Progress &progress = silent_progress(),
                           const std::vector<QuantityOfInterest> &reported = {});
 
-/// Returns the quantities in the results of a study that have bands: of the load @p at_rest, and the torque
+/// Returns the quantities whose values the results of a study state: of the load @p at_rest, and the torque
 /// at half the terminal spin in the last row of @p budget.
 std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 

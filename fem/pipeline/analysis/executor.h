@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// Maker of the feet of variants, and threads to solve them; both change no result. For one caller at a time.
+/// Maker of the feet of variants, and threads to solve them; no effect on results. One caller at a time.
 struct Executor
 {
   using Work = std::function<void(std::size_t)>;

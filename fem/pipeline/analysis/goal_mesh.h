@@ -13,7 +13,7 @@ namespace stemware::pipeline
 /// Discretisation error of one number of a study on the mesh of a solid foot.
 struct GoalError
 {
-  double value = 0;     ///< number in the study
+  double value = 0;     ///< value of the goal in the study
   fem::MeshError error; ///< correction in the unit of the value: rad/s, 1 or N m
 };
 

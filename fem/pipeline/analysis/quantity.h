@@ -199,8 +199,8 @@ struct Field
     (words(quantity), ...);
   }
 
-  /// Creates an object with the members @p fields of the result of @p read; a list for a vector, null for an
-  /// optional or a pointer without value.
+  /// Creates an object with the members @p fields of the result of @p read: a list of objects for a vector,
+  /// null for an optional or a pointer without value.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         Words... words)

@@ -83,7 +83,7 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, do
 /// Returns "harmonic_effect" of summary.json.
 const Fields<HarmonicEffect> &harmonic_effect_fields();
 
-/// Returns @p value, or 0 if it is smaller than @p rounding.
+/// Returns @p value, or 0 if |value| is below @p rounding.
 double without_rounding(double value, double rounding);
 void drop_rounding(std::optional<double> &value, double rounding);
 

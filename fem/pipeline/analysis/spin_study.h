@@ -62,9 +62,9 @@ struct PhaseStudy
   double torque_ripple = 0;          ///< half the range over the phases, at the mean spin [N m]
   double least_load = 0;             ///< pointwise minimum over all phases, at rest and mean spin [N/rad]
   double least_contact_fraction = 0; ///< minimum at rest over all sampled phases
-  unsigned int n_glass_phases = 1;   ///< sampled
+  unsigned int n_glass_phases = 1;   ///< sampled phases
   unsigned int n_table_phases = 1;
-  std::size_t n_spins = 1;        ///< sampled; 1 for a load independent of the spin
+  std::size_t n_spins = 1;        ///< sampled spins; 1 for a load independent of the spin
   double interpolation_error = 0; ///< of the load between samples, torque_difference()
 
   /// Sampled phases [rad]; torque at each, at rest and at the mean spin [N m].

@@ -12,7 +12,7 @@
 namespace stemware::pipeline
 {
 
-/// Solved variant.
+/// Solved variant, with its load and torques.
 struct LoadedRow
 {
   Variant variant = {};

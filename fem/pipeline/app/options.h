@@ -49,8 +49,8 @@ void print_note(const std::string &label, const std::string &note);
 /// Prints a @p warning like print_note(), with --quiet on standard error.
 void print_warning(const std::string &label, const std::string &warning, const StudyOptions &options);
 
-/// Directs the console, reads the study, prepares its foot, and makes all checks that are possible before the
-/// work. Throws BadInput.
+/// Directs the console, reads the study, prepares its foot, and makes all checks before the work. Throws
+/// BadInput if a check fails.
 Study begin_study(const StudyOptions &options);
 
 } // namespace stemware::pipeline

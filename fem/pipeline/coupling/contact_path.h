@@ -19,8 +19,8 @@ public:
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
-  /// Returns the contact nearest to @p slip between rest and its spin, with the same marks and in the first
-  /// zone; std::nullopt if there is none.
+  /// Returns the contact in the first zone with the same marks that is nearest to @p slip towards rest, if
+  /// any.
   std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip) const;
 
   /// Appends a solved contact.

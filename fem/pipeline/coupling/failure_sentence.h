@@ -8,7 +8,7 @@ namespace stemware::pipeline
 /// Returns one sentence about the present exception. Call from a catch block.
 std::string failure_sentence();
 
-/// Prints the present exception to stderr as one line "stemware: ..." (first rank only) and returns the exit
+/// Prints the present exception to stderr as one line "stemware: ..." on the first rank; returns the exit
 /// code. Call from a catch block.
 ExitCode report_failure();
 

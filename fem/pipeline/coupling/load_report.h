@@ -30,14 +30,13 @@ struct LoadReport
   /// Share of the land's area under pressure; without a contact, of the azimuths with a positive load.
   double contact_fraction = 0;
   std::optional<double>
-    azimuth_fraction = {}; ///< share of the azimuths under pressure; for ring-shaped lands
+    azimuth_fraction = {}; ///< share of the azimuths under pressure, if the land is a ring
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< Sample::tilt [rad]
   double inner_radius = 0;                        ///< radii that enclose the load [m]
   double outer_radius = 0;
   double minimum = 0;                       ///< least pointwise load [N/rad]
   std::optional<double> peak_pressure = {}; ///< [Pa]; empty without a contact
-  /// Largest width of the contact across the rim, fem::contact_width() [m]; empty unless resolved by the
-  /// mesh.
+  /// Largest width of the contact across the rim, fem::contact_width() [m]; empty if the mesh is too coarse.
   std::optional<double> contact_width = {};
   /// Load on the contact's lines, sorted by azimuth in [0, 2 pi); empty without a contact.
   std::vector<fem::AzimuthLoad> pointwise = {};

@@ -27,7 +27,8 @@ std::string rounded_to_error(double value, double spread);
 /// Returns a spin [rad/s] for texts: the digits that @p band allows, at most four significant ones.
 std::string spin(double omega, const std::optional<double> &band = {});
 
-/// Returns @p value with its @p band, rounded up so that the interval is safe; six digits without a band.
+/// Returns @p value with its @p band, rounded up so that the printed interval contains value -/+ band; six
+/// digits without a band.
 std::string with_band(double value, const std::optional<double> &band);
 
 } // namespace stemware::pipeline::format

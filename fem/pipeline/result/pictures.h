@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-/// Numbers of the page's pictures, added to results as tables and captions. Angles in degrees, sections in
-/// mm.
+/// Numbers of the page's pictures, added to results as tables and captions. Angles [degrees], sections [mm].
 namespace stemware::pipeline
 {
 

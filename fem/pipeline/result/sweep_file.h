@@ -12,8 +12,8 @@ namespace stemware::pipeline
 
 /// sweep.csv in the folder of a sweep: lines that begin with # (version, base study, size and time of input
 /// files), headings with units (case, varied entries, sweep_columns(), contact_outcome, status, message), and
-/// a row per finished case, in the order of finishing. Rows are flushed: after a kill, at most the last line
-/// is incomplete and is dropped when the sweep is continued.
+/// a row per finished case, in the order of finishing. Each row is flushed: a killed program leaves at most
+/// an incomplete last line, which is dropped when the sweep is continued.
 class SweepFile
 {
 public:

@@ -21,11 +21,11 @@ enum class BodyKind
 /// Abilities that only one of the two kinds of body has.
 struct BodyAbilities
 {
-  bool is_of_revolution; ///< axisymmetric, and waviness is possible
+  bool is_of_revolution; ///< axisymmetric; rim and table may be wavy
   bool stands_on_elastic_disc = is_of_revolution;
-  bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
-  bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
-  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< maximum degree of the elements
+  bool reads_meshes = !is_of_revolution;  ///< takes its shape from Contact/Mesh file
+  bool is_collective = !is_of_revolution; ///< all MPI ranks solve together
+  unsigned int highest_degree = is_of_revolution ? 4 : 2;
 };
 
 constexpr BodyAbilities abilities(BodyKind body)
@@ -54,7 +54,7 @@ enum class Goal
   torque ///< tau_z at half the terminal spin
 };
 
-/// Maximum number of rings J. At x half-widths from the middle of their band, Lagrange polynomials grow like
+/// Maximum number of rings J. At x half-widths from the middle of the rings, Lagrange polynomials grow like
 /// cosh(J acosh x) and amplify rounding: at x = 1.5 to 1e-6 of the load for J = 25, 1e-3 for 32, 1 for 40.
 constexpr unsigned int max_rings = 25;
 

@@ -62,8 +62,7 @@ struct Study
 /// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].
 double moment_ratio(const fem::Resultants &load, double contact_radius);
 
-/// Returns a clause: whether friction deforms the foot, and a hint if this may matter (stiff interface and
-/// table); empty without a contact.
+/// Returns a clause: whether friction deforms the foot, and whether this may matter; empty without a contact.
 std::string friction_note(const Study &study);
 
 /// Throws BadInput for incompatible, unphysical or unsupported values.

@@ -16,8 +16,7 @@ std::vector<std::string> unused_entries(const Study &study);
 std::string unused_entries_note(const std::vector<std::string> &entries);
 
 /// Returns a sentence if @p value [SI] is outside StudyEntry::plausible: "Motion/Mass = 300 kg is outside
-/// 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and if an optional entry is
-/// 0.
+/// 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and for an optional entry 0.
 std::string implausible_note(const std::string &path, double value);
 
 /// Returns the implausible_note() of each given entry that has an effect.

@@ -54,8 +54,7 @@ struct StudyEntry
   std::string path() const { return section + '/' + name; }
 };
 
-/// Returns all entries of @p study in file order. @p study must outlive them; its given_entries record them
-/// when they are assigned.
+/// Returns all entries in file order. @p study must outlive them and records assigned ones (given_entries).
 std::vector<StudyEntry> study_entries(Study &study);
 
 /// Returns the entries of a copy of @p study, which they keep alive.

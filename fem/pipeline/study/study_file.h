@@ -35,8 +35,7 @@ Study read_study_text(const std::string &origin, const std::string &text);
 /// it. Throws BadInput, with the line, about the first error.
 void read_prm(const std::string &file, const std::string &text, const std::vector<StudyEntry> &entries);
 
-/// Returns @p study with other @p values ("Section/Entry", text), checked. Throws BadInput that names
-/// @p option.
+/// Returns @p study with other @p values ("Section/Entry", text), checked. Throws BadInput, naming @p option.
 Study with_values(Study study, const std::string &option,
                   const std::vector<std::pair<std::string, std::string>> &values);
 

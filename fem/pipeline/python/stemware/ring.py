@@ -243,9 +243,10 @@ def stack_from_pressure(r: ArrayLike, theta: ArrayLike, p: ArrayLike, n_max: int
     """Returns the RingStack of a pressure p[i, k] [Pa] at radii r[i] [m] and angles theta[k] [rad], the angles evenly spaced
     from 0 over one turn.
 
-    n_max: highest harmonic of the stack. weights [m]: quadrature weights of the radii, by default the trapezoidal rule. The torque has a kink where |omega| r_i = v: 21 rings instead of an annulus give an error of up to 2e-4 mu N R. The
-    difference from a stack of every second ring, stack_from_pressure(r[::2], theta, p[::2]), estimates that error. For an
-    axisymmetric pressure use Pressure, which has no such error.
+    n_max: highest harmonic of the stack. weights [m]: quadrature weights of the radii, by default the trapezoidal rule. The torque
+    has a kink where |omega| r_i = v: 21 rings instead of an annulus give an error of up to 2e-4 mu N R. The difference from a
+    stack of every second ring, stack_from_pressure(r[::2], theta, p[::2]), estimates the error. An axisymmetric Pressure has no
+    such error.
     """
     r, theta, p = map(_array, (r, theta, p))
     if np.isnan(p).any():
