@@ -5,11 +5,11 @@
 namespace stemware::pipeline
 {
 
-/// Returns one sentence about the present exception. Call from a catch block.
+/// Returns one sentence about the exception being handled. Call from a catch block.
 std::string failure_sentence();
 
-/// Prints the present exception to stderr as one line "stemware: ..." on the first rank; returns the exit
-/// code. Call from a catch block.
+/// Prints the exception being handled to stderr as one line "stemware: ..." on the first rank; returns the
+/// exit code. Call from a catch block.
 ExitCode report_failure();
 
 } // namespace stemware::pipeline

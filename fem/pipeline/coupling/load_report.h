@@ -29,8 +29,7 @@ struct LoadReport
   double mean_radius = 0;                           ///< sum f r / sum f [m]
   /// Share of the land's area under pressure; without a contact, of the azimuths with a positive load.
   double contact_fraction = 0;
-  std::optional<double>
-    azimuth_fraction = {}; ///< share of the azimuths under pressure, if the land is a ring
+  std::optional<double> azimuth_fraction = {};    ///< share of azimuths under pressure; empty unless a ring
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero(); ///< Sample::tilt [rad]
   double inner_radius = 0;                        ///< radii that enclose the load [m]
   double outer_radius = 0;

@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// Reads a mesh file by fem::read_foot_mesh(). Throws BadInput, also for more than @p memory_limit [byte].
+/// Reads a mesh file by fem::read_foot_mesh() unless it would exceed @p memory_limit [byte]. Throws BadInput.
 fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptions &marks,
                                dealii::Triangulation<3, 3> &mesh,
                                double memory_limit = ContactSection().memory_limit);

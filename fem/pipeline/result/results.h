@@ -33,7 +33,7 @@ struct ConsoleBlock
 /// Results of a verb in SI units, for summary.json, --json, page, console and files.
 struct Results
 {
-  Study study = {};
+  Study study = {};                  ///< solved study
   Json summary = Json::object();     ///< parts of summary.json that depend on the verb
   Json key_figures = Json::object(); ///< key figures in the last line of --json
   Json words = Json::object();       ///< texts by name, among them "title", "inputs" and "answer"

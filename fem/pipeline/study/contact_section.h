@@ -23,9 +23,9 @@ struct BodyAbilities
 {
   bool is_of_revolution; ///< axisymmetric; rim and table may be wavy
   bool stands_on_elastic_disc = is_of_revolution;
-  bool reads_meshes = !is_of_revolution;  ///< takes its shape from Contact/Mesh file
-  bool is_collective = !is_of_revolution; ///< all MPI ranks solve together
-  unsigned int highest_degree = is_of_revolution ? 4 : 2;
+  bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
+  bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
+  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< of the elements
 };
 
 constexpr BodyAbilities abilities(BodyKind body)
