@@ -20,8 +20,8 @@ enum class FrictionLawKind
   stribeck ///< mu = mu_k + (mu_s - mu_k) exp(-(|v_rel| / v_s)^2) + c |v_rel|
 };
 
-/// Glass, orbit and friction. Defaults: the paper's values, unless marked. Mass, inertia, centre of mass:
-/// empty glass.
+/// Glass, orbit and friction; by default the paper's values, unless marked. Mass, inertia and centre of mass
+/// are those of the empty glass.
 struct Motion
 {
   double mass = 0.30;                  ///< m [kg]
@@ -71,8 +71,7 @@ struct Motion
   /// Returns Omega = +- v / rho [rad/s], the rate at which the slip frame turns.
   double orbit_rate() const { return sense_sign() * orbit_speed / orbit_radius; }
 
-  /// Returns the acceleration of the glass in the slip frame [m/s^2]: (dv/dt, +-v^2/rho), towards the orbit's
-  /// centre.
+  /// Returns the acceleration of the glass in the slip frame [m/s^2]: (dv/dt, sense_sign() v^2/rho).
   Eigen::Vector2d acceleration() const;
 };
 } // namespace stemware::ring

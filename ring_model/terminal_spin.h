@@ -19,19 +19,19 @@ struct TerminalSpin
 };
 
 /// Returns the step [rad/s] for torque differences at @p omega: 1/32 of the distance to the kink at |omega| =
-/// @p spin_scale, within 1/4096 ... 1/64 of @p spin_scale. It averages over several azimuth lines that the
-/// edges of a contact with lift-off cross.
+/// @p spin_scale, within 1/4096 ... 1/64 of @p spin_scale. A step this wide averages over several azimuth
+/// lines, which the edges of a contact with lift-off cross.
 double slope_step(double omega, double spin_scale);
 
-/// Returns the fourth-order slope [N m s] from the torque's changes between -+@p step and between -+2 @p
-/// step.
+/// Returns the fourth-order slope [N m s] from the torque's changes over -+@p step and -+2 @p step.
 double slope_of_differences(double change, double change_of_two_steps, double step);
 
 /// Returns d tau_z / d omega [N m s] at @p omega by fourth-order differences: four torques within 2 @p step.
 double torque_slope(const TorqueFunction &torque, double omega, double step);
 
-/// Returns find_terminal_spin() with its torque_slope() by slope_step(); by 1/2048 spin_scale if a torque
-/// fails, as near tipping. Throws as find_terminal_spin(), and unless @p yaw_inertia is positive.
+/// Returns the zero of find_terminal_spin() and the torque_slope() over slope_step(), or over 1/2048
+/// spin_scale if a torque fails, as near tipping. Throws as find_terminal_spin(), and unless @p yaw_inertia
+/// is positive.
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
 
 /// Returns terminal_spin() from rest under a load that does not depend on the spin, to rounding.

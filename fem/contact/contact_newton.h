@@ -21,7 +21,7 @@ struct ContactIteration
 };
 
 /// Initial guess of a contact solve: table motions, and the normal displacement at which the table law is
-/// first evaluated (not that of body and table after a change of friction or of the law).
+/// first evaluated, which differs from that of body and table after a change of friction.
 struct ContactStart
 {
   Eigen::Vector3d motion;
@@ -47,8 +47,8 @@ struct ContactControl
   double divergence_residual = std::numeric_limits<double>::infinity();
   /// Disables the line search, for starts close to the solution and conditions without an energy.
   bool full_steps = false;
-  /// True if convergence requires an unchanged active set, and a recurring set fails (nodal complementarity);
-  /// false for a pressure integrated along lines, smooth in the edges of the contact.
+  /// True if convergence requires an unchanged active set, and a recurring set is a failure (nodal
+  /// complementarity); false for a pressure along lines, which depends smoothly on the contact's edges.
   bool requires_unchanged_set = true;
   std::function<void(const ContactIteration &)> progress; ///< called after each step, may be empty
   /// Callback after each step, may be empty; true accepts the iterate with any residual.

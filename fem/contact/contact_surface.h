@@ -32,15 +32,15 @@ struct ContactLine
 ///
 /// Nodal values come in two layouts. Functions of position (displacements, gaps) are known on every part that
 /// has the node. Integrals (forces, tangents) have contributions of own lines only and are to be summed over
-/// the parts; so are products of both.
+/// the parts; so are products of the two layouts.
 struct ContactSurface
 {
   Eigen::MatrixX2d node_position; ///< (x, y) of the contact nodes [m]
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
   Eigen::VectorXd node_area;      ///< int N_i dA of the whole surface, projected on the table [m^2]
   std::vector<ContactLine> lines;
-  std::vector<std::size_t> mirrored_lines; ///< mirror image of each line at y = 0, equal to the last bit, gap
-                                           ///< aside; empty: no symmetry
+  std::vector<std::size_t>
+    mirrored_lines; ///< mirror image of each line at y = 0 (bitwise, gap aside); empty: no symmetry
   /// True if every line has one azimuth; lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean of an irregular mesh)

@@ -14,12 +14,12 @@ bool has_cells(const PressureMap &footprint);
 /// Returns the largest pressure [Pa].
 double largest_pressure(const PressureMap &footprint);
 
-/// Returns the smallest and largest radius in contact by contact_width(), without a grid of the points under
-/// pressure. The footprint must have a point under pressure.
+/// Returns the smallest and largest radius in contact: by contact_width() on a grid, else of the points under
+/// pressure. At least one point must be under pressure.
 ContactWidth loaded_band(const PressureMap &footprint);
 
-/// Returns the cuts between their edges. Grid: a subset of cuts, the first repeated after a full turn, with
-/// equally many points; NaN pressure on a cut without load. No grid: points under pressure.
+/// Returns the loaded parts of cuts. Grid: a subset of the cuts, the first one repeated after a full turn,
+/// with equally many points; NaN pressure on a cut without load. No grid: points under pressure.
 std::vector<std::vector<PressurePoint>> loaded_cuts(const PressureMap &footprint);
 
 /// Largest pressure and width of a footprint with cells.

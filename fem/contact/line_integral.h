@@ -119,7 +119,7 @@ void for_each_point(const AreaElement &area, const LineSegment &segment, const V
 }
 
 /// Calls visit(const LinePoint &) at the four Gauss points of every segment with positive @p penetration:
-/// exact for two quadratics times the cubic area element.
+/// exact for a product of two quadratics and the cubic area element.
 template <typename Visitor>
 void for_each_loaded_point(const AreaElement &area, const Eigen::Vector3d &penetration, const Visitor &visit)
 {

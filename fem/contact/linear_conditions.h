@@ -33,12 +33,11 @@ public:
   /// Returns whether L = Q to the last bit and H = 0: then there is an energy, and a symmetric Newton matrix.
   bool are_resultants() const { return symmetric; }
 
-  /// Returns these conditions on @p surface with moments, friction arm and tilted weight times @p share (0:
-  /// axisymmetric load), for continuation.
+  /// Returns these conditions on @p surface with moments, friction arm and H times @p share (0: axisymmetric
+  /// load), for continuation.
   LinearConditions with_scaled_moment(const ContactSurface &surface, double share) const;
 
-  /// Returns L'f + H q - t [N, N m, N m] of all parts for nodal @p forces f [N] and @p motion q [m, rad,
-  /// rad].
+  /// Returns L'f + H q - t [N, N m, N m] of all parts for nodal @p forces [N] and @p motion [m, rad, rad].
   Eigen::Vector3d residual(const Eigen::VectorXd &forces, const Eigen::Vector3d &motion) const
   {
     return parts.sum(L.transpose() * forces) + H * motion - t;

@@ -55,15 +55,14 @@ struct ContactExtent
 
 /// Contact forces as a function of the normal displacement of the contact surface (docs/method.md, "The
 /// table"). `normal_displacement` is relative to the table, u_z + q0 + q1 x + q2 y at the contact nodes [m].
-/// Minus its sum with the gap is the penetration. Forces are derivatives of a convex potential: equilibrium
-/// minimises an energy, and a damped Newton method converges from any start.
+/// The penetration is minus the sum of this displacement and the gap. Forces are derivatives of a convex
+/// potential: equilibrium minimises an energy, and a damped Newton method converges from any start.
 class TableLaw
 {
 public:
   virtual ~TableLaw() = default;
 
-  /// Evaluates the law at @p normal_displacement, shape [n_nodes], into @p contact, empty or filled by this
-  /// law.
+  /// Evaluates the law at @p normal_displacement, [n_nodes]. @p contact: empty or filled by this law before.
   virtual void evaluate(const Eigen::VectorXd &normal_displacement, ContactForces &contact) const = 0;
 
   /// Returns the load of @p solution. @p n_parts >= 1: parts of each line with own quadrature points.

@@ -18,7 +18,7 @@ public:
   {
   }
 
-  /// Returns whether @p set (this rank's part) is new, or @p residual has halved since its last visit.
+  /// Returns whether @p set (this rank's part) is new or recurs with less than half the @p residual.
   /// Collective.
   bool makes_progress(const ActiveSet &set, double residual);
 

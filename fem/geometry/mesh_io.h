@@ -19,8 +19,7 @@ MeshReport read_foot_mesh(const std::string &file_name, dealii::Triangulation<3,
 /// Moves the contact zone's vertices of a generated mesh up by the crown's gap, for write_msh().
 void move_to_crown(const GlassProfile &profile, dealii::Triangulation<3, 3> &triangulation);
 
-/// Writes Gmsh's format 2.2 with 17 digits: hexahedra, and faces of stem cut and contact zone with boundary
-/// ids.
+/// Writes Gmsh's format 2.2 with 17 digits: hexahedra, and stem and contact faces with boundary ids.
 void write_msh(const dealii::Triangulation<3, 3> &triangulation, std::ostream &stream);
 
 /// Writes a mesh for ParaView: cells with straight edges, their scaled_jacobians() and largest boundary ids.

@@ -12,7 +12,7 @@ namespace stemware::fem
 /// section @p triangulation, fixed at boundary id 1 (docs/method/revolution.md, "One meridional problem per
 /// harmonic"). K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) with
 /// its own conditions on the axis, on deal.II's threads. @p interruption is called before each harmonic, from
-/// any thread; its exceptions end the work. Throws std::invalid_argument for a bad degree or mesh.
+/// any thread; its exceptions end the work. Throws std::invalid_argument for an inadmissible degree or mesh.
 ContactCompliance compute_compliance(const dealii::Triangulation<2, 2> &triangulation,
                                      const ElasticMaterial &material, const MeridianOptions &options = {},
                                      const std::function<void()> &interruption = {});

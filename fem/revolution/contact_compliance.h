@@ -12,7 +12,7 @@ namespace stemware::fem
 {
 
 /// Returns first index and number of the nodes of the elements that overlap the band from @p inner to @p
-/// outer; at least one element. @p radii, @p degree: of all nodes and elements.
+/// outer; at least one element. @p radii: of all nodes [m]; @p degree: of the elements.
 std::pair<Eigen::Index, Eigen::Index> nodes_between(const Eigen::VectorXd &radii, Eigen::Index degree,
                                                     double inner, double outer);
 

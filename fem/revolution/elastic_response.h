@@ -29,8 +29,7 @@ struct ForceModes
 ///   2 pi,
 ///
 /// positive definite on every line for any number of lines. Friction tractions t = s f with the sliding
-/// direction s(r, theta) add C^zr and, up to n_max, C^ztheta. Forces and displacements on the lines: shape
-/// [n_radii, n_lines].
+/// direction s(r, theta) add C^zr and, up to n_max, C^ztheta. Shapes on lines: [n_radii, n_lines].
 class ElasticResponse
 {
 public:

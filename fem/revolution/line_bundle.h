@@ -54,8 +54,8 @@ using RowMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::R
 class LineBundle
 {
 public:
-  /// Sets all to zero, with @p n_circles unknowns, @p band diagonals on either side, @p n_columns right
-  /// sides.
+  /// Sets all entries to zero, for @p n_circles unknowns of a line, @p band diagonals of T on either side and
+  /// @p n_columns right-hand sides.
   void reset(Eigen::Index n_circles, Eigen::Index band, Eigen::Index n_columns);
 
   /// Returns the entry T(i, k), |i - k| <= band.

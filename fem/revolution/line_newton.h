@@ -13,10 +13,11 @@ namespace stemware::fem
 
 /// Newton step of a body of revolution on its azimuth lines. The increment df of the elastic forces solves (1
 /// + T C) df = r - T Q dq with the tangent T of the table law, block diagonal in the lines, the elastic
-/// response C, and the law's minus the elastic forces r. C is a part local to the lines plus a few smooth
-/// functions of the radius times the modes up to n_max (ElasticResponse). Eliminating the lines leaves a
-/// small dense system for the amplitudes of these functions and the table motions. Polynomials approximate
-/// the functions: a step reduces the error of the forces to a fifth or less; the solution is exact.
+/// response C, and r, the forces of the law minus the elastic forces. C is a part local to the lines plus a
+/// few smooth functions of the radius times the modes up to n_max (ElasticResponse). Eliminating the lines
+/// leaves a small dense system for the amplitudes of these functions and the table motions. Polynomials
+/// approximate the functions: a step reduces the error of the forces to a fifth or less; the converged
+/// solution is exact.
 class LineNewton
 {
 public:
@@ -40,13 +41,12 @@ public:
   {
     Eigen::MatrixXd forces; ///< df [N], shape [n_radii, n_lines]
     Eigen::Vector3d motion; ///< dq
-    /// Derivative of the conditions by the table motions, as columns, without
-    /// LinearConditions::motion_weights().
+    /// Derivative of the conditions by the motions (columns), without LinearConditions::motion_weights().
     Eigen::Matrix3d resistance;
   };
 
-  /// Returns the step to @p conditions; @p residual: of the law's forces. Throws std::runtime_error if
-  /// singular.
+  /// Returns the step that fulfils @p conditions; @p residual is the residual of the law's forces. Throws
+  /// std::runtime_error if the system is singular.
   Increment solve(const LinearConditions &conditions, const Eigen::Vector3d &residual) const;
 
 private:

@@ -48,8 +48,8 @@ private:
   ContactSolution solve_softened(const ContactStart &start);
   /// Returns the solution under @p under from a cold start. @p largest_step: factor of a stiffening, at most.
   ContactSolution solve_cold(const LinearConditions &under, double largest_step);
-  /// Returns the solution from @p at by stiffening an interface softer by @p softness in few steps; @p
-  /// divergence_residual as in ContactControl.
+  /// Returns the solution from @p at on an interface softer by the factor @p softness, stiffened in few
+  /// steps; @p divergence_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
                           double largest_step,
                           double divergence_residual = std::numeric_limits<double>::infinity());

@@ -46,8 +46,8 @@ struct RevolutionSetup
 
   /// Returns this setup with a meridional mesh that resolves the contact under @p normal_force [N]. If the
   /// elasticity of the bodies shapes the pressure, cells are 1/6 of the contact's half-width and 1/3 of a
-  /// thin layer; on an interface 1000 times more compliant, all cells are halved once, equal on a flat land.
-  /// Under a hard interface, cells are refined towards the inner edge of a flat land.
+  /// thin layer; on an interface 1000 times more compliant, all cells are halved once, and equal on a flat
+  /// land. Under a hard interface, cells are refined towards the inner edge of a flat land.
   RevolutionSetup resolved_for(double normal_force) const;
 
   /// Returns the table's interface; for a hard table a penalty law whose penetration is 1 / hardness of

@@ -27,8 +27,7 @@ private:
   std::vector<dealii::CellId> cells;
 };
 
-/// Halves the cells with numbers @p marked, and others so that neighbours differ by at most one level.
-/// Collective.
+/// Halves the cells @p marked, and others so that neighbours differ by at most one level. Collective.
 void halve(dealii::parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked);
 
 } // namespace stemware::fem

@@ -72,8 +72,7 @@ LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 class CoarseSolver : public dealii::MGCoarseGridBase<FloatVector>
 {
 public:
-  /// Keeps references to @p level and its @p matrix, whose contact must be set first. @p nodes: contact nodes
-  /// of the level.
+  /// Keeps references to @p level and its @p matrix, whose contact must be set. @p nodes: those of @p level.
   CoarseSolver(const SolidLevel &level, const LevelMatrix &matrix, const ElasticMaterial &material,
                const std::shared_ptr<const ContactNodes> &nodes);
 

@@ -31,8 +31,7 @@ public:
   /// @p surface of one rank, which must outlive the body.
   CondensedBody(const ContactSurface &surface, std::shared_ptr<const NodalCompliance> compliance);
 
-  /// Sets the friction force (x, y) on the foot per normal force at each node, shape [n_nodes, 2] (empty:
-  /// none).
+  /// Sets the friction force (x, y) on the foot per normal force, shape [n_nodes, 2]; empty: no friction.
   void set_friction(const Eigen::MatrixX2d &friction);
   /// Sets the state to the displacement under nodal @p forces [N].
   void set_forces(const Eigen::VectorXd &forces);

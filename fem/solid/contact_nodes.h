@@ -23,8 +23,7 @@ class ContactNodes
 public:
   using Dof = dealii::types::global_dof_index;
 
-  /// @p dofs: dofs of the nodes of this rank's part of the surface; nodes @p owned here that other ranks have
-  /// are added.
+  /// @p dofs: of this rank's part of the surface. Nodes in @p owned that other ranks have are added.
   ContactNodes(const dealii::IndexSet &owned, std::vector<Dof> dofs, const MPI_Comm &communicator);
 
   unsigned int n_nodes() const { return static_cast<unsigned int>(all_dofs.size()); }
@@ -61,8 +60,7 @@ public:
     Dof row, column;
     double value;
   };
-  /// Returns the owned nodes' rows of the sum of @p parts, shape [n_nodes, n_nodes], over all ranks; entries
-  /// may repeat.
+  /// Returns the owned rows of the sum of @p parts, [n_nodes, n_nodes], over all ranks; entries may repeat.
   std::vector<Entry> owned_rows(const Eigen::SparseMatrix<double> &parts) const;
 
 private:

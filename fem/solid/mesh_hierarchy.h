@@ -69,8 +69,7 @@ public:
   /// Applies one V-cycle from level @p l down: @p dst approximates the solution of (K + B' T B) dst = @p src.
   void v_cycle(unsigned int l, Vector &dst, const Vector &src) const;
 
-  /// Interpolates @p coarse of the level below to @p fine of level @p l in single precision; constrained
-  /// unknowns are 0.
+  /// Interpolates @p coarse of the level below to @p fine of level @p l in single precision; constrained: 0.
   template <typename Number>
   void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,
                   const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;

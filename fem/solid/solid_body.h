@@ -53,11 +53,9 @@ public:
   /// Returns the smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
-  /// Sets the friction that deforms the body, @p traction in the mesh's axes. Throws as
-  /// SlidingTraction::validate().
+  /// Sets the friction that deforms the body, in the mesh's axes. Throws as SlidingTraction::validate().
   void set_sliding(const SlidingTraction &traction);
-  /// Returns the friction force (x, y) on the foot per normal force, shape [n_nodes, 2]; empty without
-  /// friction.
+  /// Returns the friction force (x, y) per normal force, shape [n_nodes, 2]; empty without friction.
   Eigen::MatrixX2d friction_per_force() const { return has_friction() ? friction : Eigen::MatrixX2d(); }
   /// Sets SolidOptions::linear_tolerance.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
@@ -85,8 +83,8 @@ public:
   Vector solve_symmetric(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &nodal,
                          const Eigen::Vector3d &on_motions, double reduction);
 
-  /// Returns this rank's VTU files, FieldFile: displacement [m] in the slip frame with the table at rest (@p
-  /// motion is transferred to the glass), stress [Pa], contact pressure [Pa] of @p nodal_pressure.
+  /// Returns this rank's VTU files: displacement [m] in the slip frame with the table at rest (@p motion is
+  /// transferred to the glass), stress [Pa], contact pressure [Pa] of @p nodal_pressure.
   std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:

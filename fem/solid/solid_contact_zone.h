@@ -37,8 +37,8 @@ struct HorizontalPlaces
 std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof_handler,
                                                 const ContactNodes &nodes);
 
-/// Returns the dofs of the vertical displacement on this rank's faces with FootBoundary::contact_zone.
-/// Hanging nodes are replaced by their parent nodes.
+/// Returns the vertical dofs on this rank's faces of FootBoundary::contact_zone, parents instead of hanging
+/// nodes.
 std::vector<dealii::types::global_dof_index>
 contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
 

@@ -35,8 +35,8 @@ void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
 /// Returns the mesh of make_foot_mesh(): a flat land, whose crown is a gap.
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution);
 
-/// Returns the mesh of a file, whose geometry includes the crown, with all cells halved @p refinements times.
-/// Throws as read_foot_mesh().
+/// Returns the mesh of a file (crown included), all cells halved @p refinements times. Throws as
+/// read_foot_mesh().
 SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements = 0,
                           const MeshFileOptions &marks = {});
 
@@ -51,7 +51,7 @@ struct SolidSetup
   /// mu as a function of |v_rel| / v. Empty: friction_coefficient everywhere.
   std::function<double(double relative_slip)> friction_by_slip;
   SolidOptions options; ///< its straight_edges follow from the mesh
-  double hardness = 1;  ///< penalty of a hard interface over the default; < 1: of any interface
+  double hardness = 1;  ///< over the default penalty of a hard interface; < 1: of any interface's stiffness
 };
 
 /// Foot as three-dimensional finite elements on all MPI ranks. A foot from a mesh file, with azimuth 0 along

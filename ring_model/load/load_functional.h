@@ -13,8 +13,7 @@ struct LoadFunctional
   Eigen::ArrayXXd a; ///< coefficients of the cosines
   Eigen::ArrayXXd b; ///< coefficients of the sines; b(0, j) = 0
 
-  /// Returns the value; missing harmonics count as 0. Throws std::invalid_argument for another number of
-  /// rings.
+  /// Returns the value (missing harmonics: 0). Throws std::invalid_argument for another number of rings.
   double operator()(const RingStack &load) const;
 
   /// Returns this functional of the load rotated counter-clockwise by @p angle [rad].

@@ -39,8 +39,8 @@ public:
   RingStack(std::vector<double> a, std::vector<double> b, double radius);
 
   /// Returns one ring of normal force N [N] and @p moment M_N [N m]: b_1 = M_{N,x} / (pi R), a_1 = -M_{N,y} /
-  /// (pi R). Tensile at some azimuths if |M_N| > N R / 2. Throws std::invalid_argument unless finite and N, R
-  /// > 0.
+  /// (pi R). Tensile at some azimuths if |M_N| > N R / 2. Throws std::invalid_argument unless all is finite
+  /// and N, R > 0.
   static RingStack first_harmonic(double normal_force, const Eigen::Vector2d &moment, double radius);
 
   /// Returns the individual rings.
@@ -57,9 +57,9 @@ public:
   /// Returns b_n [N/rad]; zero beyond n_harmonics().
   double b(unsigned int n) const { return n < sine.size() ? sine[n] : 0.; }
 
-  /// Returns the radius of the single ring with the same N, M_N and first harmonic, |M_N| / (pi sqrt(a_1^2 +
-  /// b_1^2)) [m]; R itself for one ring. Several rings without a moment (below 1e-9 N R): mean weighted with
-  /// |a_{j,0}|.
+  /// Returns the radius [m] of the single ring with the same N, M_N and first harmonic: |M_N| / (pi
+  /// sqrt(a_1^2 + b_1^2)), R for one ring, the mean weighted with |a_{j,0}| without a moment (below 1e-9 N
+  /// R).
   double radius() const;
 
   /// Returns N = 2 pi a_0 [N].

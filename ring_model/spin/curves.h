@@ -51,8 +51,8 @@ std::vector<Instant> instants_of(const std::vector<YawSample> &spin_up, const Lo
 std::vector<double> torques_by_phase(const PhaseSampledLoad &phases, const Motion &motion, double omega);
 
 /// Returns @p load interpolated in the spin from @p lower to @p upper [rad/s], or to tipping, for curves of
-/// thousands of values. @p found: its answer. If some spins have no balance: interpolated from rest to the
-/// terminal spin, or, if that fails, exact. @p similar as in Load::interpolated().
+/// thousands of values. @p found: the answer about @p load. If some spins have no balance: interpolated from
+/// rest to the terminal spin, or, if that fails, exact. @p similar as in Load::interpolated().
 Load interpolated_for_curves(const Load &load, const Answer &found, double lower, double upper,
                              const Load *similar = nullptr);
 

@@ -32,8 +32,7 @@ public:
   explicit Load(Function load, bool is_pressure = false);
   /// Contact pressure that depends on the phase.
   explicit Load(std::shared_ptr<const PhaseSampledLoad> phases);
-  /// Returns the contact pressure by @p solve, called once a spin, even if it fails. @p at_rest: sample at
-  /// rest.
+  /// Returns the load by @p solve, which is called once for each spin. @p at_rest: sample at rest.
   static Load solved_once(Function solve, const Sample &at_rest);
 
   /// Returns the load at @p omega [rad/s] and @p marks, else the mean over the phases. Throws NoBalance.

@@ -35,9 +35,9 @@ struct TorqueEffects
   std::vector<TorqueEffect> rows = {};
 };
 
-/// Returns the effects of the harmonics up to each of @p orders under @p load. @p all: its answer, with the
-/// state at rest. @p curve: the same load, cheap up to Answer::last_spin(); nullptr: no curves and largest
-/// values. Throws as @p load, except NoBalance.
+/// Returns the effects of the harmonics up to each of @p orders under @p load. @p all: the answer about @p
+/// load, with the state at rest. @p curve: the same load, cheap up to Answer::last_spin(); nullptr: no curves
+/// and largest values. Throws as @p load, except NoBalance.
 TorqueEffects torque_effects(const Load &load, const Motion &motion, const Answer &all,
                              const std::vector<unsigned int> &orders, const Load *curve = nullptr);
 } // namespace stemware::ring
