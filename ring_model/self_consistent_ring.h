@@ -6,7 +6,7 @@
 
 namespace stemware::ring
 {
-/// All balances at one spin, in the slip frame.
+/// Load and friction that satisfy all balances at one spin, in the slip frame.
 struct RingEquilibrium
 {
   RingStack load;      ///< normal load

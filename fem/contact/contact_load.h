@@ -26,8 +26,8 @@ struct ContactLoad : ring::RingStack
   {
   }
 
-  double rotation =
-    0; ///< rotation of the single ring to the direction of M_N [rad]; 0 without friction that deforms
+  /// Rotation of the single ring to the direction of M_N [rad]; 0 unless friction deforms the foot.
+  double rotation = 0;
   double mean_radius = 0;                      ///< sum f r / sum f [m]
   double contact_fraction = 0;                 ///< ContactExtent::area_share
   std::optional<double> azimuth_fraction = {}; ///< ContactExtent::azimuth_share

@@ -39,8 +39,8 @@ struct ContactSurface
   Eigen::VectorXd node_gap;       ///< distance of the undeformed nodes from the plane z = 0 [m]
   Eigen::VectorXd node_area;      ///< int N_i dA of the whole surface, projected on the table [m^2]
   std::vector<ContactLine> lines;
-  std::vector<std::size_t>
-    mirrored_lines; ///< mirror image of each line at y = 0 (bitwise, gap aside); empty: no symmetry
+  /// Index of each line's mirror image at y = 0, equal to the last bit, gap aside; empty: no symmetry.
+  std::vector<std::size_t> mirrored_lines;
   /// True if every line has one azimuth; lines of equal azimuth form a cut at theta = const.
   bool lines_are_radial = false;
   unsigned int n_sectors = 0; ///< number of cells round the rim (mean of an irregular mesh)

@@ -79,7 +79,7 @@ private:
   Eigen::Vector4d cubic = Eigen::Vector4d::Zero();
 };
 
-/// Returns the part @p range of @p line, without nodes, and @p depth at the samples of the part.
+/// Returns the part @p range of @p line, without nodes, and its samples' depth, from @p depth of @p line.
 inline std::pair<ContactLine, Eigen::Vector3d> part_of(const ContactLine &line, const Eigen::Vector3d &depth,
                                                        const LineSegment &range)
 {

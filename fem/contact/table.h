@@ -21,7 +21,7 @@ struct Substrate
 struct Table
 {
   std::shared_ptr<const InterfaceLaw> interface;
-  std::optional<Substrate> substrate; ///< none: rigid
+  std::optional<Substrate> substrate; ///< std::nullopt: rigid
 };
 
 } // namespace stemware::fem

@@ -20,7 +20,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// Command line that converts what Gmsh reads, physical groups included.
+/// Command that converts any file that Gmsh reads to a supported format, physical groups included.
 inline constexpr char gmsh_command[] = "`gmsh FILE -save -format msh22 -o x.msh`";
 
 /// Instruction for a mesh of revolution whose cells collapse on the axis.

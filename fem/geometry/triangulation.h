@@ -1,6 +1,6 @@
 #pragma once
 
-/// deal.II's mesh. Its header takes long to parse.
+/// Forward declaration of deal.II's mesh, whose header takes long to parse.
 namespace dealii
 {
 template <int dim, int spacedim>

@@ -12,7 +12,7 @@ namespace stemware::fem
 class CellNumbers
 {
 public:
-  /// Collective; the same on all ranks. @p mesh must outlive it.
+  /// Numbers the cells of @p mesh, which must outlive the numbers. Collective.
   explicit CellNumbers(const dealii::Triangulation<3> &mesh);
 
   std::size_t size() const { return cells.size(); }

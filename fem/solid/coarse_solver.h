@@ -60,7 +60,7 @@ struct MultigridParameters
   double smoothing_range = 40;
   unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
 };
-/// Values in use.
+/// Multigrid parameters in use.
 inline constexpr MultigridParameters multigrid_parameters = {};
 
 /// Returns the options of the smoother of every level.

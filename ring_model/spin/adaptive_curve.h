@@ -44,7 +44,7 @@ public:
   Eigen::VectorXd operator()(double x) const;
 
   std::size_t n_pieces() const { return pieces.size(); }
-  /// Returns an end of the sampled interval.
+  /// Returns the beginning (upper(): the end) of the sampled interval.
   double lower() const { return pieces.front().begin; }
   double upper() const { return pieces.back().end; }
   bool covers(double x) const { return lower() <= x && x <= upper(); }

@@ -98,9 +98,8 @@ struct Answer
   std::string reason = {};              ///< cause of missing quantities; empty if none is missing
   std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way
 
-  // Relative to the answer of all harmonics, compared_with_all():
-  std::optional<double>
-    relative_change = {}; ///< of the terminal spin; std::nullopt if the full load's spin is 0
+  /// Change of the terminal spin relative to the full load's, by compared_with_all(); std::nullopt over 0.
+  std::optional<double> relative_change = {};
 
   std::optional<double> omega_terminal() const; ///< [rad/s]
   /// Returns the terminal spin, or the spin at which the glass tips [rad/s]; std::nullopt without either.

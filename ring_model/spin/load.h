@@ -30,7 +30,7 @@ public:
 
   /// Load that is cheap to evaluate. @p is_pressure: comes from a contact and is nowhere negative.
   explicit Load(Function load, bool is_pressure = false);
-  /// Contact pressure that depends on the phase.
+  /// Load from a contact pressure that depends on the phase.
   explicit Load(std::shared_ptr<const PhaseSampledLoad> phases);
   /// Returns the load by @p solve, which is called once for each spin. @p at_rest: sample at rest.
   static Load solved_once(Function solve, const Sample &at_rest);
