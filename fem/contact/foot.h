@@ -26,7 +26,7 @@ struct ContactState
   ContactSolution solution;              ///< slip frame
   std::vector<ContactIteration> history; ///< Newton steps
   ContactDemand demand;                  ///< required resultants
-  ring::Slip slip;                       ///< slip
+  ring::Slip slip;                       ///< spin over speed, orientation of glass and table
   /// Radii that enclose the load, up to rounding [m].
   double inner_radius = 0;
   double outer_radius = 0;

@@ -120,7 +120,7 @@ private:
   const SolidContactZone zone;
   const std::vector<HorizontalPlaces> horizontal;
   SlidingTraction sliding;
-  /// See friction_per_force().
+  /// friction_per_force()
   Eigen::MatrixX2d friction;
 
   Vector displacement;
