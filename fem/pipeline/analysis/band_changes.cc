@@ -17,7 +17,7 @@ namespace
 {
 
 /// Safety factor for changes to another mesh or degree. With an error of first order, the change to a mesh
-/// with twice the cell size equals the error.
+/// with twice the cell size equals the error, so the factor adds a margin of 25 %.
 constexpr double usual_factor = 1.25;
 
 /// Safety factor for add_lines(): the larger of its two changes may be only half of the error.
@@ -34,8 +34,9 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns a change for the part @p part of the error band. @p factor scales its difference to the change of
-/// the part @p from, or to the study if @p from is empty.
+/// Returns a change that contributes to @p part of the error band. The contribution is @p factor times the
+/// difference between the results of @p variant and the results of the change for part @p from (the results
+/// of the study if @p from is empty).
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -64,9 +65,10 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Adds changes of the rings and harmonics, applied to the pressure of the existing contact solutions. Their
-/// factor is 2, because the friction force in the moment balance adds an error of the same size. With two or
-/// more rings, the largest of the changes to @p ring_counts rings is used.
+/// Adds changes of the numbers of rings and harmonics. The pressure of the existing contact solutions is
+/// projected again; the moment balance is not solved again. The neglected change of the balance changes the
+/// spin about as much, so the factor is 2. With two or more rings, the largest of the changes to @p
+/// ring_counts rings is used.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -129,8 +131,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // On a hard table the cells are small, so a higher degree is compared on the coarse mesh, where the change
-  // is an upper bound.
+  // On a hard table the cells are small, and a higher degree is expensive. It is compared on the coarse mesh,
+  // where the change due to the degree is larger than on the mesh of the study.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)
@@ -154,7 +156,7 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   return changes;
 }
 
-/// Study on a coarser mesh. `ratio` is the growth of the cell size, the minimum over the three directions.
+/// Study on a coarser mesh. `ratio`: coarser cell size over cell size, the minimum over the three directions.
 struct CoarserStudy
 {
   Variant variant;
@@ -209,7 +211,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 {
   const Study &study = own.study;
   const double cell = foot.body().description().contact_cell_size;
-  // A flat land is in contact at its edges, where a generated mesh has smaller cells.
+  // A flat land is in contact at its edges, where a generated mesh has smaller cells. Only a crowned land or
+  // a mesh file can therefore have a contact narrower than a cell.
   const bool is_round = !study.contact.mesh_file.empty() || study.glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && at_rest.half_width() < cell;
   if (is_narrow && study.table.is_hard())
@@ -235,8 +238,8 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
   const Variant &cheapest = coarse ? coarse->variant : own;
   const std::string as_cheapest = coarse ? "mesh" : "";
-  // The change to halved cells is no bound for a narrow contact: each further halving adds the same
-  // indentation.
+  // If the contact is narrower than a cell, the change to halved cells does not bound the error: each further
+  // halving adds the same indentation until the cells resolve the contact.
   if (is_narrow)
     changes.push_back(change_of(
       "mesh", usual_factor,
@@ -247,15 +250,17 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
-  // More lines matter only if the contact edge crosses faces: in a mesh file always, in a generated mesh only
-  // with lift-off. Contact with nodal multipliers has no lines.
+  // The number of contact lines affects the results only if the contact edge crosses element faces. In a mesh
+  // file, it always does; in a generated mesh, only with lift-off. Contact with nodal multipliers has no
+  // lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
       changes);
-  // The number of rings is reduced, because more rings may amplify rounding: if the contact is much narrower
-  // than the node spacing, the moment balance extrapolates from the rings to the nodes.
+  // The number of rings is reduced instead of increased: if the contact is much narrower than the node
+  // spacing, the moment balance extrapolates from the rings to the nodes, and an extrapolation from more
+  // rings amplifies rounding errors.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { n_rings == 2 ? usual_rings : n_rings - 1 }, changes);
   return changes;

@@ -113,7 +113,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
     add_row(step, "harmonics", study, by_harmonics[i], rows);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // a load file with a single harmonic
+  if (by_harmonics.size() == 1) // a load file with a single harmonic: the step is zero
     add_row(step, "harmonics", study, first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();

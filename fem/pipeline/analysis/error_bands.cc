@@ -31,7 +31,7 @@ struct EvaluationPoints
   bool with_width = false; ///< true if the contact width has an error band
 };
 
-/// Load and torques at EvaluationPoints. The torques are means over the phases, without the grip.
+/// Load and torques at EvaluationPoints. The torques are means over the phases, without the grip torque.
 struct Evaluation
 {
   LoadReport at_rest;
@@ -123,7 +123,8 @@ std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
   for (unsigned int i = 0; i < n_phases; ++i)
-    // Glass and table rotate in opposite directions: the factor 3 i mod 4 of the table is 0, 3, 2, 1.
+    // Glass and table rotate in opposite directions, so the phase of the table decreases: 3 i mod 4 = 0, 3,
+    // 2, 1.
     phases.push_back({ start.glass + periods.glass * i / n_phases,
                        start.table + periods.table * (3 * i % n_phases) / n_phases });
   return phases;
@@ -189,7 +190,7 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   return probe;
 }
 
-/// Adds the four spins of torque_slope() if half and one and a half times the terminal spin do not resolve
+/// Adds the four spins of torque_slope() if the spins at 0.5 and 1.5 times the terminal spin do not resolve
 /// the slope. This happens near |omega| = v / R (kink of the torque) and with lift-off (contact edges move
 /// across the azimuth lines). @p is_full: contact all round, without lift-off.
 void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
@@ -281,9 +282,10 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
-/// Widens the part "lines" of harmonics whose error vanishes by chance on the lines of this study. All
-/// harmonics n > 1 have a common error: the distance of a contact edge from the next line. Four times the
-/// lines reduce this error to 1/32 (order 5/2), so each part becomes at least 1/32 of the largest part.
+/// Widens the part "lines" of harmonics whose error vanishes by chance with the lines of this study. The
+/// errors of all harmonics n > 1 have the same cause, the distance of a contact edge from the next line. With
+/// four times the lines, 1/32 of the error remains (order 5/2), so each part is raised to at least 1/32 of
+/// the largest part.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;

@@ -10,7 +10,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with the constant friction coefficient mu(orbit speed), which keeps the torque at rest.
+/// Returns the study with the constant friction coefficient mu(orbit speed). It does not change the torque at
+/// rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;
@@ -19,7 +20,7 @@ Study with_constant_friction(Study study)
   return study;
 }
 
-/// Returns the study with a first harmonic on a ring of the contact radius.
+/// Returns the study with a load that has only the first harmonic, on a ring of the contact radius.
 Study first_harmonic_study(Study study)
 {
   study.load.source = LoadSource::first_harmonic;
@@ -145,8 +146,8 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(!study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
-           // With waviness, interpolation between the phases has a larger error than elements of degree 2, so
-           // a higher degree would be useless.
+           // With waviness, the load is interpolated between sampled phases. The error of this interpolation
+           // exceeds the error of elements of degree 2, so a higher degree is useless.
            constexpr unsigned int max_degree = 2;
            other.study.table.interface = TableInterface::hard;
            if (other.study.has_waviness())

@@ -102,8 +102,8 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
-    // Spins beyond the samples would need as many contact solves as the answer, so the curve ends with the
-    // samples around the terminal spin, if these samples reach 1.1 times the terminal spin.
+    // Spins beyond the sampled spins would need as many contact solves as the answer. The curve therefore
+    // ends with the spins sampled around the terminal spin, if they reach 1.1 times the terminal spin.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);
@@ -146,7 +146,8 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
       up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
     up.instants = ring::instants_of(adaptive, of_all.load, question);
   };
-  // Interpolates the difference between the curve of the first harmonic and the curve of all harmonics.
+  // Computes the curves of the first harmonic: their difference from the curves of all harmonics is
+  // interpolated.
   const auto find_first = [&]
   {
     const auto &[variant, row, load, torques] = rows.front();
@@ -237,7 +238,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   const ring::TimeObserver observer = motion_observer(progress);
   SpinStudy result = { find_curves(study, solved.by_harmonics, solved.others.front(), curve, executor,
                                    study.motion.euler_step, observer) };
-  // With a solid foot, each torque evaluation takes minutes: further terminal spins are not searched for.
+  // With a solid foot, each torque evaluation takes minutes, so no further terminal spins are searched for.
   const bool is_slow = study.load.is_in_balance() && is_collective(study);
   if (depth == Depth::full)
     result.budget = find_budget(study, solved);

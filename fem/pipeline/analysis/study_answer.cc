@@ -18,7 +18,7 @@ std::string size_text(const fem::FootDescription &foot)
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
-  if (foot.mesh_report) // the radius matters: moment ratios refer to Glass/Contact radius
+  if (foot.mesh_report) // stated, because moment ratios refer to Glass/Contact radius
     text += foot.mesh_report->round_rim
               ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
                             foot.mesh_report->rim_radius)
@@ -32,7 +32,8 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot() and reports its size and notes to @p progress; nullptr if the load has no contact.
+/// Returns study_foot(), which is nullptr if the load has no contact. Reports its size and notes to @p
+/// progress.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)
@@ -51,7 +52,7 @@ std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &
   return foot;
 }
 
-/// Returns the terminal spin of a first harmonic on a ring of the contact radius.
+/// Returns the terminal spin of a load that has only the first harmonic, on a ring of the contact radius.
 Number omega_on_ring(const Study &study, ring::Closure closure)
 {
   return ring::answer(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();

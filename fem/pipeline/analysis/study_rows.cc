@@ -27,7 +27,8 @@ std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Dep
   return truncation_orders(n_all);
 }
 
-/// Returns the row of a variant with the number of harmonics of @p variant, even if its load has fewer.
+/// Returns the answer @p row as a row of @p variant, with the number of harmonics of the variant even if its
+/// load has fewer.
 LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
 {
   if (variant.n_harmonics != all_harmonics)
@@ -117,8 +118,8 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
       row.row.reason = reason;
     return row;
   };
-  // Rows that use the load of the study share its contact solutions, so they are solved first and
-  // sequentially.
+  // Rows that use the load of the study share its cache of contact solutions. They are solved before the
+  // other rows, one after another, because the cache must not be used by several threads.
   std::vector<LoadedRow> rows(variants.size());
   std::vector<Variant> others;
   for (std::size_t i = 0; i < variants.size(); ++i)

@@ -59,7 +59,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   };
   // Isolation: a thread that waits for a loop within one call must not begin another call, because the other
   // call could wait for the first one (deadlock).
-  std::atomic<std::size_t> next = 0; // calls in ascending order, however the loop is divided
+  std::atomic<std::size_t> next = 0; // calls start in ascending order, however the loop is divided
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
   for (const std::exception_ptr &failure : failures)

@@ -52,7 +52,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
     demand.tilt_moment = motion.normal_force() * motion.overturning_height();
   if (arm == 0)
     return demand;
-  // The moment of the friction is h e_z x T = h (-T_y, T_x).
+  // With the arm h, the friction force T has the moment h e_z x T = h (-T_y, T_x).
   const ring::FrictionFunctionals friction =
     ring::friction_functionals(motion, radii, std::min(balance.n_harmonics, foot->n_harmonics()), omega);
   demand.friction_x = -arm * friction.side.of_rotated(rotation);
@@ -120,8 +120,9 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
   ring::Sample sample = load.truncated(balance.n_harmonics);
   if (balance.tilts)
     sample.tilt = state.solution.motion.tail<2>();
-  // Without lift-off, the margin is the minimum load over the mean load. With lift-off, it is negative and
-  // quadratic in the free arc, because near lift-off the load varies like 1 + cos theta.
+  // Without lift-off, the margin is the minimum load over the mean load. With lift-off, it is the negative
+  // minimum of a load 1 + m cos(theta) that is zero at the ends of the free arc: 1 - m = -d^2 / 2 for an arc
+  // of 2 d.
   const double share = load.azimuth_fraction.value_or(load.contact_fraction);
   sample.lift_off_margin = share < 1 ? -std::pow(ring::pi * (1 - share), 2) / 2 : load.least / load.a(0);
   sample.stability_margin = state.solution.stability_margin;

@@ -24,8 +24,8 @@ namespace
 {
 
 /// Returns the range of loaded radii in @p state. Nodal contact on a hard table may load a single circle of
-/// nodes. Its range is widened by @p cell on both sides, because rings in a range of zero width would
-/// extrapolate too far to the neighbouring nodes, which the balance also needs.
+/// nodes; this range is widened by @p cell on both sides. The balance evaluates the ring interpolation at the
+/// neighbouring nodes too, and rings of zero spacing would extrapolate too far.
 fem::ContactWidth band_of(const fem::ContactState &state, double cell)
 {
   const bool is_wide = state.outer_radius - state.inner_radius > 1e-3 * cell;
@@ -45,8 +45,8 @@ unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int l
   return std::max(least, static_cast<unsigned int>(std::min<double>(wanted, max_rings)));
 }
 
-/// Returns the number of harmonics that the kernels need up to 1.5 times the spin of @p eps: K_n(eps)
-/// decreases like |eps|^n.
+/// Returns the number of load harmonics that contribute to the friction at slip ratios up to 1.5 @p eps. The
+/// kernels K_n(eps) decrease like |eps|^n.
 unsigned int harmonics_for(double eps)
 {
   constexpr unsigned int least = 24, most = std::numeric_limits<unsigned int>::max();
@@ -56,8 +56,9 @@ unsigned int harmonics_for(double eps)
   return std::max(least, static_cast<unsigned int>(std::ceil(std::log(1e-14) / std::log(fastest))));
 }
 
-/// Sets the rings of @p foot to Chebyshev points of the radii loaded in @p at_rest. Their number follows from
-/// the slip ratio at the terminal spin, or is Contact/Rings if the load at rest has no terminal spin.
+/// Sets the rings of @p foot to Chebyshev points of the radii loaded in @p at_rest. The number of rings is
+/// computed from the slip ratio at the terminal spin. It is Contact/Rings if the load at rest has no terminal
+/// spin.
 void choose_rings(const ContactSection &contact, const ring::Motion &motion, ElasticFoot &foot,
                   const fem::ContactState &at_rest)
 {
@@ -158,8 +159,8 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     }
     return load->second.at(omega);
   };
-  // Fewer phases keep the time of a study at seconds: a load that varies with the spin needs several contact
-  // solves per phase, and a hard contact takes ten times as long.
+  // The number of phases is limited, so that a study takes seconds: a load that varies with the spin needs
+  // several contact solves per phase, and a hard contact takes ten times as long as a compliant contact.
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;

@@ -72,7 +72,8 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
       fmt::format(FMT_STRING("swap the ids (Contact/Mesh contact id = {}, Contact/Mesh stem id = {})"),
                   marks.stem_id, marks.contact_id);
     const std::string turn = "rotate the mesh so that the glass stands upright, z upwards";
-    // The stem of a foot is narrower than the rim.
+    // A stem is narrower than the rim. If the marked contact zone is narrower than the stem cut, the ids are
+    // swapped.
     const bool are_swapped = check.outer_radius <= check.stem_radius;
     throw BadInput(mesh + " has its contact zone above its stem cut, facing up; " +
                    (are_swapped ? swap + ", or if they are right, " + turn : turn + ", or " + swap) + ".");

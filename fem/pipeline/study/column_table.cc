@@ -145,7 +145,8 @@ private:
                        });
   }
 
-  /// Throws BadInput if the first row is a heading, because this heading does not name the columns.
+  /// Returns the layout of a table without a heading: the columns in their given order, in SI units. Throws
+  /// BadInput if the first row seems to be a heading, because it does not name the columns.
   Layout layout_without_heading() const
   {
     const TableRow &row = table.rows.front();
@@ -171,9 +172,9 @@ private:
            "\", or leave the header out.";
   }
 
-  /// Accepts commas as decimal marks. Throws BadInput if the commas may be thousands separators. This is the
-  /// case if other numbers have points, or if the table is comma-separated and three digits follow every
-  /// comma.
+  /// Decides whether commas in numbers are decimal marks. Throws BadInput if they may be thousands
+  /// separators: if other numbers have points, or if the table is comma-separated and three digits follow
+  /// every comma.
   void decide_about_commas(const Layout &layout)
   {
     const bool may_be_thousands = table.separator == ',';

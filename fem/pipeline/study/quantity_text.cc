@@ -95,7 +95,7 @@ std::optional<Unit> parse_unit(std::string text)
   std::istringstream words(text);
   Unit product;
   int sign = 1;
-  bool is_whole = false; // true if the unit starts and ends with a name
+  bool is_whole = false; // true if the last word is a name, after which the unit may end
   for (std::string word; words >> word;)
   {
     if (word == "/")

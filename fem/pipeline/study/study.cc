@@ -32,9 +32,9 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
   throw std::logic_error("a table without an interface");
 }
 
-/// Returns true if the table is so stiff that friction, by bending the foot, may change the pressure and
-/// cancel the effect of the harmonics: a hard interface on a rigid table, or on a substrate with at least
-/// 1/100 of the foot's Young's modulus. A substrate with 1/1000 of the modulus yields with the bent foot.
+/// Returns true for a hard interface on a rigid table, or on a substrate with at least 1/100 of the foot's
+/// Young's modulus. On such a table, friction bends the foot, which may change the pressure enough to cancel
+/// the effect of the harmonics on the spin. A substrate with 1/1000 of the modulus follows the bent foot.
 bool has_stiff_contact(const Study &study)
 {
   const TableSection &table = study.table;

@@ -191,8 +191,9 @@ void require_hand_above_table(const std::vector<StudyEntry> &entries, const Moti
 }
 
 /// Returns a lower bound of the required moment at the instant @p now, divided by the maximum moment of a
-/// pressure on the land. The bound is the moment without friction minus the maximum moment of friction. At 1
-/// or more, the glass tips at every spin; slightly below 1, contact solves are slow and fail.
+/// pressure on the land. The bound is the moment without friction minus the maximum moment of friction. If
+/// the result is 1 or more, the glass tips at every spin; if slightly less than 1, contact solves are slow
+/// and fail.
 double certain_tipping_share(ring::Closure closure, const fem::GlassProfile &profile, const ring::Motion &now)
 {
   const double friction = now.has_constant_friction()

@@ -287,7 +287,7 @@ const StudyEntry &entry_at(const std::vector<StudyEntry> &entries, const std::st
   const std::string path = full_path(entries, word);
   const auto entry = std::find_if(entries.begin(), entries.end(),
                                   [&](const StudyEntry &candidate) { return candidate.path() == path; });
-  if (entry == entries.end()) // not ensure(): it would call the slow suggestion() every time
+  if (entry == entries.end()) // ensure() would call the slow suggestion() even for known entries
     throw BadInput(origin + "there is no entry \"" + shortened(path) + '"' + suggestion(entries, path));
   return *entry;
 }

@@ -32,7 +32,8 @@ namespace
 
 constexpr std::size_t longest_study = 1000000;
 
-/// Reads one character more than a study may have, so that a longer text is detected.
+/// Returns the text of @p stream, cut one character after the maximum length of a study. A longer text can
+/// thus be detected.
 std::string beginning_of(std::istream &stream)
 {
   std::string text(longest_study + 1, '\0');
@@ -129,7 +130,8 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Returns entries that accept any value if @p overrides replace their value later.
+/// Returns the entries of @p study. The entries in @p overrides accept any value, because it is replaced
+/// later.
 std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
 {
   std::vector<StudyEntry> entries = study_entries(study);
@@ -147,7 +149,8 @@ std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::
   return entries;
 }
 
-/// Assigns the options --set, "Section/Entry=value" or "Entry=value"; each entry at most once.
+/// Assigns the values of the options --set, "Section/Entry=value" or "Entry=value". Throws BadInput if an
+/// entry is set twice.
 void apply(const std::vector<std::string> &overrides, const std::vector<StudyEntry> &entries)
 {
   std::map<std::string, std::string> text_of;
@@ -188,9 +191,9 @@ std::string prm_text(const std::vector<StudyEntry> &entries, bool comments)
   return text + end;
 }
 
-/// Removes entries with default values from given_entries if the file states all entries, as `stemware
-/// defaults` and results do. Entries that a user-defined section replaces and the height of the hand stay
-/// given, because rerunning the study must use the same values.
+/// Removes entries with default values from given_entries if the file states all entries, like the files of
+/// `stemware defaults` and of results. The hand height, and entries that a profile file would determine, stay
+/// given: otherwise a rerun would derive other values.
 void forget_stated_defaults(Study &study)
 {
   const std::vector<StudyEntry> &standard = default_entries(), own = entries_of(study);

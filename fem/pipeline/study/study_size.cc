@@ -40,10 +40,10 @@ void add_body_of_revolution(const Study &study, StudySize &size)
 }
 
 /// Returns the number of nodes in a mesh file, read from the section $Nodes or $ParametricNodes (in Gmsh's
-/// format 4, the second number). For other files, estimates the number from the file size.
+/// format 4, the second number). For other files, the number is estimated from the file size.
 double n_nodes(const std::string &file)
 {
-  constexpr double bytes_per_node = 80; // with the lines of the cells
+  constexpr double bytes_per_node = 80; // includes the bytes of the cells
   constexpr std::size_t head_size = 100000;
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))

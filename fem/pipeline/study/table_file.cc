@@ -81,7 +81,7 @@ private:
     return text[place++];
   }
 
-  /// Returns false at the end of the text.
+  /// Moves to the next row, past blank lines and comments. Returns false at the end of the text.
   bool skip_to_row()
   {
     const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
@@ -114,7 +114,7 @@ private:
     table.rows.push_back(row);
   }
 
-  /// Reads a cell and its separator. Sets @p is_last to true at the end of the row.
+  /// Reads a cell and its separator; returns the cell. Sets @p is_last to true at the end of the row.
   std::string read_cell(bool &is_last)
   {
     std::string cell, quoted;
