@@ -307,8 +307,8 @@ private:
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
-      // Where the stability margin is small, contact edges that cross a quadrature line cause small folds of
-      // the balance. Intervals with a small margin must therefore be narrower.
+      // If contact edges cross quadrature lines, a balance with a small stability margin can have small
+      // folds. Intervals with a small margin must therefore be narrower.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
       // Maximum rates at which the square may decrease from either end into the interval.

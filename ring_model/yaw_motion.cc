@@ -244,8 +244,8 @@ private:
   bool is_stiff = false;
 };
 
-/// The tolerance of a step is a tenth of @p accuracy, because step errors accumulate and the dense output is
-/// one order less accurate than the steps.
+/// Returns the motion at @p times after @p start. The tolerance of a step is a tenth of @p accuracy, because
+/// step errors accumulate and the dense output is one order less accurate than the steps.
 std::vector<YawSample> motion_from(const YawSample &start, const PhasedTorqueFunction &torque,
                                    double yaw_inertia, const std::vector<double> &times, double accuracy,
                                    double spin_scale, double grip, const std::vector<double> &breaks = {})
@@ -267,7 +267,7 @@ double smooth_mean(const std::vector<YawSample> &samples)
   return sum / weights;
 }
 
-/// Returns the vertex of the parabola through the largest of the equidistant @p values and its neighbours.
+/// Returns the maximum of the parabola through the largest of the equidistant @p values and its neighbours.
 double largest(const std::vector<double> &values)
 {
   const auto place = std::max_element(values.begin(), values.end());

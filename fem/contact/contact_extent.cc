@@ -41,8 +41,8 @@ struct LineAreas
 };
 
 /// Returns the area of @p line and the part of the area in which the quadratic through @p excess is not
-/// positive. If both ends are loaded, the whole line counts as loaded: a gap between them is shorter than a
-/// cell, e.g. next to the singular edge of a hard land.
+/// positive. If both ends are loaded, the whole line counts as loaded, because the mesh does not resolve gaps
+/// inside a line (e.g. next to the singular edge of a hard land).
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
@@ -140,7 +140,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   deepest = surface.parts.max(deepest);
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
-  // Laws that are integrated along lines are not hard, so they have a penetration at the edge of contact.
+  // Penetration at the edge of contact, where the pressure is zero up to rounding.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
   std::vector<CutValue> cuts;

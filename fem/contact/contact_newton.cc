@@ -22,9 +22,10 @@ namespace
 /// Minimum number of loaded nodes side by side across the rim for a resolved pressure.
 constexpr unsigned int min_nodes_across = 4;
 
-/// Returns the distance [m] from the axis to the convex hull of the nodes in @p direction (unit vector),
-/// which is the minimum distance to a tangent of the hull. With a moment balance, the weights of the moment
-/// conditions replace (x, y). The hull of a ring is nearly a circle, so its extent is used.
+/// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
+/// vector): the minimum, over all tangents of the hull, of the distance to the tangent. With a moment
+/// balance, the weights of the moment conditions replace (x, y). The hull of a ring is assumed to be a
+/// circle.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -173,7 +174,7 @@ private:
 
   /// Returns true if rounding prevents a further decrease of a residual that passes the final check: a full
   /// step changes neither active set nor residual, or the last @p n_idle steps (at least `patience`) do not
-  /// reduce the residual. For the stiff penalty of a rigid table, this floor may lie above the tolerance.
+  /// reduce the residual. With the stiff penalty of a rigid table, rounding errors may exceed the tolerance.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;
@@ -183,8 +184,8 @@ private:
            equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Throws if a full Newton step returns to a previous active set without a smaller residual (a cycle). A
-  /// damped step reduces the energy, so it may return to a previous set.
+  /// Throws if a full Newton step returns to a previous active set without a smaller residual (a cycle).
+  /// Damped steps may return to a previous set: each reduces the energy, so they cannot cycle.
   void require_new_set(VisitedSets &visited, double present_residual) const
   {
     if (visited.makes_progress(contact.active_set, present_residual) || last_step_length != 1)
@@ -251,7 +252,7 @@ private:
     law.evaluate(normal_displacement + direction, other_contact);
     const double step_length = line_search(increment, direction, other_contact.forces);
     body.update(step_length);
-    // The line search has already evaluated a full step.
+    // The forces after a full step are already evaluated.
     if (step_length != 1)
       law.evaluate(normal_displacement + step_length * direction, other_contact);
     contact.swap(other_contact);
@@ -295,9 +296,9 @@ private:
     return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
-  /// Returns the step length that line_search_step() finds. A length above 1 is allowed only if the active
-  /// set is not part of the stopping rule (laws integrated along lines), and never for a rigid foot, whose
-  /// energy has no curvature, so that a longer step would end the contact.
+  /// Returns the step length from line_search_step(). A length above 1 is allowed only if the stopping rule
+  /// ignores the active set (laws integrated along lines). It is not allowed for a rigid foot, because a
+  /// rigid foot has no elastic energy to limit the step, and a long step could end the contact.
   double line_search(const NewtonIncrement &increment, const Eigen::VectorXd &direction,
                      const Eigen::VectorXd &forces_at_end) const
   {

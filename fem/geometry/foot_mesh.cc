@@ -84,7 +84,7 @@ public:
     {
       const unsigned int a = loop[i];
       const unsigned int b = loop[(i + 1) % n_sectors];
-      // A shift of 0.08 sectors outwards improves the angles of the inner trapezium.
+      // Moving p and q apart by 0.08 sectors each improves the angles of the inner trapezium.
       const unsigned int p = add_vertex(middle, angle(3 * i + 0.92, 3 * n_sectors));
       const unsigned int q = add_vertex(middle, angle(3 * i + 2.08, 3 * n_sectors));
       const unsigned int e = (3 * i + 3) % (3 * n_sectors);
@@ -280,8 +280,8 @@ void extrude(const Plan &plan, const std::vector<Slab> &slabs,
   triangulation.create_triangulation(vertices, cells, SubCellData());
 }
 
-/// Attaches the ring manifold to all cells and faces at or outside the core, by the @p radius of their
-/// vertices.
+/// Attaches the ring manifold to all cells and faces whose vertices lie at or outside the core. @p radius
+/// returns the radius of a vertex.
 void mark_rings(double core_radius, const std::function<double(const Point<3> &)> &radius,
                 Triangulation<3> &triangulation)
 {

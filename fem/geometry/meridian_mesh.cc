@@ -191,13 +191,15 @@ void refine(double clamped_height, const GlassProfile &profile, const ContactCel
   triangulation.refine_global(resolution.refinements);
 }
 
-/// Two quadratic cells through the thickness resolve bending, because bending is smooth.
+/// Returns the maximum cell size [m] away from the land. It is of the order of the thickness, because the
+/// displacements in bending are smooth.
 double largest_cell(const GlassProfile &profile)
 {
   return 1.25 * profile.thickness();
 }
 
-/// With a focus, the cells next to the land are twice as large as the coarse contact cells.
+/// Appends the radial grid lines up to the edge of the foot. With a focus, the cells next to the land are
+/// twice as large as the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -238,7 +240,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// With a focus, the lowest row above the land is at most as high as the coarse contact cells are wide.
+/// Returns the growth of the rows from the land up to @p end. With a focus, the lowest row is at most as high
+/// as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };

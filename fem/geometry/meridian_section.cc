@@ -219,8 +219,8 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The fillet ends at the first segment that is nearly parallel to the foot or the stem: the angle between
-  // them is less than 15 % of the angle to 45 degrees.
+  // The fillet ends at the first segment that is nearly parallel to the foot or to the stem: it deviates from
+  // this direction by less than 15 % of the angle between this direction and 45 degrees.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

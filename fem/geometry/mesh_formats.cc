@@ -94,9 +94,9 @@ bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
   return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
 }
 
-/// Throws UnreadableMesh if a node lies in the middle of an edge or face of @p surface, the faces with only
-/// one cell, because cells at such a hanging node look connected but are not. On a curved surface a node
-/// counts as the middle of an edge if edges connect it with both ends at an angle of more than 150 degrees.
+/// Throws UnreadableMesh if a node lies in the middle of an edge or face of @p surface (the faces with only
+/// one cell): cells at such a hanging node look connected but are not. On a curved surface, a node is in the
+/// middle of an edge if mesh edges connect it with both ends, at an angle of more than 150 degrees.
 void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                               const std::vector<FaceCorners> &surface)
 {

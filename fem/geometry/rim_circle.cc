@@ -74,7 +74,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
     if (const double x = point.x(); std::abs(x) <= 1)
       moment += x * x * point.y(), square += x * x * x * x;
   Vector3d circle(0, 2 * moment / square, 0); // initial guess: a parabola through the lowest point
-  // With the curvature `flat`, the rim rises by 1/1000 of the land width.
+  // With the curvature `flat`, the rim rises by 1/1000 of the land width over half the land.
   constexpr double max_steps = 200, flat = 4e-3;
   for (unsigned int i = 1; circle(1) > 0 && std::abs(circle(0)) <= 1; ++i)
   {
@@ -90,7 +90,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // The window of points is centred on the circle, so a full step changes the points and may oscillate.
+    // A step moves the window of points, which is centred on the circle. Full steps could oscillate.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

@@ -26,7 +26,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   const unsigned int n_radii = circles.n_nodes(), n_lines = basis.n_lines(), degree = circles.degree;
   const unsigned int n_pieces = degree > 2 ? 2 : 1;
   const double width = FourierBasis::norm(0) / n_lines;
-  // Contact line of an element, or half of it, which is the same at all azimuths.
+  // Contact line of an element or of half an element; equal at all azimuths.
   struct Piece
   {
     unsigned int first;

@@ -18,8 +18,8 @@ namespace
 /// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
 /// norm of the compliance.
 constexpr double step_accuracy = 1e-4;
-/// With this number of functions (a land wide compared with the wavelength of the highest harmonic), an
-/// inexact step is accepted if it reduces the error at least by slowest_contraction.
+/// From this number of functions on (a land wide compared with the wavelength of the highest harmonic), an
+/// inexact step is accepted if it reduces the error at least to the fraction slowest_contraction.
 constexpr Eigen::Index many_functions = 10;
 constexpr double slowest_contraction = 0.2;
 
@@ -305,7 +305,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   const Eigen::Matrix<double, 3, 4> beside = of_conditions.bottomRows(12).rowwise().sum().reshaped(3, 4);
 
   // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq.
-  // A y + B dq = a, C y + (corner - weight) dq = rhs. Eliminating y leaves a 3 x 3 system for dq.
+  // A y + B dq = a, C y + (D - H) dq = rhs, with D in the first columns of `beside` and the motion weights H.
+  // Eliminating y leaves a 3 x 3 system for dq.
   RowMatrix system = system_of_amplitudes(on_lines); // becomes [A, B, a]
   solve_dense(system, 4);
   const Eigen::MatrixXd held = system.rightCols<4>();
@@ -314,7 +315,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();
 
-  // Lengths are divided by the penetration under 1 N, and tilts are expressed as heights at the rim.
+  // Scaling: forces are divided by the stiffness beside(0, 0), moments also by the radius of the rim, and
+  // tilts become heights at the rim.
   const double length = response.compliance().radii(response.n_radii() - 1);
   const Eigen::Vector3d row_scale = Eigen::Vector3d(1, 1 / length, 1 / length) / beside(0, 0);
   const Eigen::Vector3d column_scale(1, 1 / length, 1 / length);

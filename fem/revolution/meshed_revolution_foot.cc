@@ -70,8 +70,9 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
   const Zone &zone = zone_of(state);
   const ContactCompliance &part = zone.body.contact_compliance();
   const ForceModes modes = zone.body.elastic_response().force_modes(zone.body.forces());
-  // Each harmonic costs one factorisation. Friction has the harmonics next to those of the load, so the
-  // highest harmonic is one above the last load harmonic of at least 1e-4 of the mean load.
+  // Each harmonic costs one factorisation, so negligible harmonics are omitted: the highest harmonic is one
+  // above the last load harmonic of at least 1e-4 of the mean load. Harmonic n of the load causes friction of
+  // the harmonics n - 1 and n + 1.
   const auto load = [&](Eigen::Index mode)
   { return std::abs(modes.normal.col(mode).sum()) / FourierBasis::norm(static_cast<unsigned int>(mode)); };
   Eigen::Index n_modes = modes.normal.cols();

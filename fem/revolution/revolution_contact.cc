@@ -113,7 +113,7 @@ ContactControl RevolutionContact::contact_control()
   steps.clear();
   ContactControl control;
   control.tolerance = 1e-10;
-  // Rounding floor of a stiff spring.
+  // With a stiff interface, rounding errors limit the residual to about this value.
   control.equilibrium_tolerance = 1e-8;
   control.requires_unchanged_set = false;
   control.progress = [this](const ContactIteration &step)
@@ -172,7 +172,7 @@ ContactSolution RevolutionContact::stiffen(const LinearConditions &under, double
     const ContactSolution solution = solve_contact(body, *soft_law, under, radius, control, &at);
     const double n_steps = std::ceil(std::log(softness) / std::log(largest_step));
     const double next = n_steps > 1 ? std::pow(softness, 1 - 1 / n_steps) : 1;
-    // Penetrations scale with the softness, so that the pressure is the same.
+    // The penetrations are scaled with the softness to keep the pressure.
     at.motion = solution.motion;
     at.normal_displacement =
       -surface.node_gap + next / softness * (surface.node_gap + solution.normal_displacement);
@@ -236,8 +236,8 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
           body.set_forces(starts.predicted->forces);
         return solve_from(*starts.predicted);
       });
-  // On a hard table with waviness, two starts fail: an unsoftened start after an unsoftened start has failed,
-  // and a softened start, which converges to contact at other crests.
+  // On a hard table with waviness, softened starts are omitted, because they converge to contact at other
+  // crests. Unsoftened starts fail if the waviness has rotated or after the predicted start has failed.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_start_unsoftened = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
   for (const bool softened : { false, true })

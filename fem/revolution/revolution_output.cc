@@ -149,7 +149,7 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns at least four azimuths per wavelength of the highest harmonic, in multiples of `span`.
+  /// Returns the number of azimuths, a multiple of `span`: about four per wavelength of the highest harmonic.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
   /// Returns the load [N] of a contact cell in @p n_pieces, by the trapezoidal rule over the output nodes.
@@ -166,7 +166,8 @@ private:
     return force;
   }
 
-  /// A contact cell is divided along its face until the load error is at most 0.5 %.
+  /// Returns the output nodes of @p cell. Contact cells are divided along the face until the load error is at
+  /// most 0.5 %.
   CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);
@@ -249,7 +250,7 @@ private:
     return points;
   }
 
-  /// Each patch is a piece of a meridional cell swept over one sector, in right-handed coordinates.
+  /// Returns the output cells: pieces of meridional cells swept over one sector, in right-handed coordinates.
   std::vector<DataOutBase::Patch<3>> patches(const std::vector<PointValues> &points) const
   {
     const unsigned int n = span + 1;

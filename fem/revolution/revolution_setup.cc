@@ -16,7 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum ratio of the compliances with and without elastic foot for which both feet use the same mesh.
+/// Maximum ratio of the compliances with elastic and with rigid foot for which both feet use the same mesh.
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace
@@ -139,7 +139,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // On a much more compliant substrate, both feet use the same mesh, so that only the model differs.
+  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that the results
+  // differ only by the model.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =
@@ -153,7 +154,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
     // The foot bends, so the pressure concentrates at the inner edge of the land.
     resolved.resolution.focus_radius = profile.land_inner_radius();
     resolved.resolution.focus_size = profile.land_width / resolution.land_cells / 32 / fineness;
-    // The concentration depends on the tilt of the land, which converges slowly at corners of the section.
+    // The concentration depends on the tilt of the land. Coarse cells at re-entrant corners of the section
+    // would dominate the error of this tilt.
     resolved.corner_halvings = 2;
     return resolved;
   }

@@ -87,7 +87,7 @@ std::vector<double> rigid_motions(const SolidLevel &level)
       const Point<3> x = cell->vertex(vertex);
       double *const at_dof = modes.data() + owned.index_within_set(dofs[i]);
       at_dof[component * n] = 1;
-      at_dof[(3 + next) * n] = x[last]; // rotation e_next x x
+      at_dof[(3 + next) * n] = x[last]; // rotation about axis `next`
       at_dof[(3 + last) * n] = -x[next];
     }
   }
@@ -112,8 +112,9 @@ void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
   contact->set(tangent);
   FloatVector &diagonal = inverse_diagonal->get_vector();
   diagonal = elastic_diagonal;
-  // Row sums of the contact tangent, unlike its diagonal, keep the largest eigenvalue of the elastic
-  // operator, for which the smoother was set up.
+  // The smoother was set up for the largest eigenvalue of D^-1 K (D: diagonal of K). With the contact
+  // tangent, this eigenvalue does not increase if the row sums of the tangent are added to D, not its
+  // diagonal.
   contact->add_row_sums(diagonal);
   for (float &entry : diagonal)
     entry = 1 / entry;

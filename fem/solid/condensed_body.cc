@@ -97,8 +97,9 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
                                      const Eigen::VectorXd &forces, const LinearConditions &conditions,
                                      const Eigen::Vector3d &motion)
 {
-  // Compliance C, tangent T, table motions Q, weights L of the conditions and motion weights H:
-  // ds + T (C ds + Q dq) = f - s, L'(s + ds) + H (q + dq) = t. Nodes without tangent have ds = f - s.
+  // ds + T (C ds + Q dq) = f - s, L'(s + ds) + H (q + dq) = t, with nodal forces s, forces f of the table
+  // law, table motions q, compliance C, tangent T, modes Q of the table motions, weights L and targets t of
+  // the conditions, and motion weights H. Nodes without tangent have ds = f - s.
   const std::vector<Eigen::Index> loaded = nodes_with_tangent(tangent);
   const Eigen::VectorXd unbalanced = forces - state;
   increment = unbalanced;

@@ -98,7 +98,8 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Returns the entries of the cells @p asked for by this rank. Collective.
+  /// Returns the entries of the cells in @p asked. Entries of cells without contact nodes are missing.
+  /// Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;

@@ -55,7 +55,8 @@ bool touches_contact(const Cell &cell, double inner, double outer)
   return false;
 }
 
-/// Returns the angle between the two faces of @p cell that share the edge @p line, which counts as straight.
+/// Returns the angle between the two faces of @p cell at the edge @p line. The edge is assumed to be
+/// straight.
 double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);

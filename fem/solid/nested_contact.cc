@@ -8,7 +8,8 @@ namespace stemware::fem
 namespace
 {
 
-/// The solution is only the initial guess on the finer mesh, so the tolerances are loose.
+/// Returns the control of a solve on a coarser mesh. Its solution is only the initial guess on the finer
+/// mesh, so the tolerances are loose.
 ContactControl coarse_control(double softening)
 {
   ContactControl control;

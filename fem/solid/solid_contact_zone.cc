@@ -174,9 +174,8 @@ std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const
   return lines;
 }
 
-/// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, the support point of the
-/// shape function in one of this rank's cells. The cell lies next to the contact zone if only hanging nodes
-/// of the zone depend on the node.
+/// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, with one of this rank's
+/// cells at the node and the node's shape function in this cell. The cell may have no contact face.
 template <typename Visit>
 void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
 {

@@ -49,13 +49,15 @@ struct FootNumbers
   /// Ratio of the foot's compliance to the compliance of the spring that approximates a hard interface
   /// (integrated along lines, on a mesh hierarchy), as in the body of revolution.
   double hardness = 1000;
-  /// Softening factor of the spring per coarser mesh. Newton's method compensates the factor in a few steps.
+  /// Softening factor of the spring per coarser mesh. From one mesh to the next, Newton's method then needs
+  /// only a few steps.
   double softening = 8;
   /// Penalty of the multipliers relative to E / (cell size), and residual reduction of a linear solve between
   /// their updates. One update leaves half the error of the highest modes with a penalty of 1, and a tenth
   /// with 10. With 100, the linear solves need more iterations than the updates save.
   double penalty = 10, reduction = 0.1;
-  /// Ratio of the tolerances of consecutive multiplier solves, about the error that one update leaves.
+  /// Ratio of the tolerances of consecutive multiplier solves, about the fraction of the error that remains
+  /// after one update.
   double tighter = 0.02;
   /// Maximum number of Newton steps with multipliers, which is large because each step has a loose tolerance.
   unsigned int max_steps = 300;

@@ -25,8 +25,10 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m], q0 + q1 x + q2 y
-/// upward and the horizontal part of this small rotation; stress [Pa]; elastic strain; von Mises stress [Pa].
+/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m], q0 + q1
+/// x
+/// + q2 y upward and the horizontal part of this small rotation; stress [Pa]; elastic strain; von Mises
+/// stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {
 public:
@@ -139,7 +141,8 @@ public:
 
   bool has_cells() const { return !cells.empty(); }
 
-  /// Memory is reserved for uncompressed numbers, because a growing string would need three times the memory.
+  /// Returns the text of the .vtu file. Memory is reserved for uncompressed numbers, because a growing string
+  /// would need three times the memory.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;
@@ -188,7 +191,8 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// Returns the files of this rank: none without cells, because ParaView cannot read an empty piece.
+/// Returns the files of this rank. A rank without cells has no piece, because ParaView cannot read an empty
+/// piece.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;

@@ -43,7 +43,7 @@ struct SolidIncrement
   Eigen::VectorXd displacement; ///< B du: increment of the vertical displacements of the contact nodes
   Eigen::Vector3d motion;       ///< scaled table motions dq
   unsigned int n_iterations = 0;
-  double stability_margin = 1; ///< NewtonIncrement::stability_margin, without friction in the body
+  double stability_margin = 1; ///< NewtonIncrement::stability_margin, from the system without friction
 
   void add(double factor, const SolidIncrement &other)
   {
@@ -134,10 +134,10 @@ double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matri
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
-/// Corrects @p increment, the solution with the symmetric part of Newton's matrix, for friction, which makes
-/// the matrix unsymmetric. Generalised conjugate residuals reduce its @p residual to @p target (Eisenstat,
-/// Elman, Schultz, SIAM J. Numer. Anal. 20 (1983) 345). @p solve(residual, target) solves with the symmetric
-/// part without changing the resultants.
+/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. Before, @p increment solves
+/// the system with the symmetric part of the matrix. Generalised conjugate residuals (Eisenstat, Elman,
+/// Schultz, SIAM J. Numer. Anal. 20 (1983) 345) reduce @p residual to @p target. @p solve(residual, target)
+/// solves with the symmetric part without changing the resultants.
 template <typename Solve>
 void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
 {
@@ -230,7 +230,7 @@ struct SolidBody::SymmetricStep
     return residual;
   }
 
-  /// Returns the decrease of the contact forces due to the increment @p of.
+  /// Returns the decrease of the contact forces due to the increment.
   Eigen::VectorXd forces_of(const SolidIncrement &of) const
   {
     return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
@@ -384,7 +384,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
                          { return step.solve(of, Eigen::Vector3d::Zero(), to); });
   }
 
-  // residual() includes friction, so the energy of the body includes the work of friction.
+  // The slope of the energy below includes the work of friction, because residual() includes friction.
   const Eigen::VectorXd change = step.forces_of(solution);
   const SurfaceParts &parts = contact.nodes().parts();
   NewtonIncrement result;

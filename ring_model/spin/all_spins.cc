@@ -49,8 +49,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range of spins in which friction may drive the glass: up to the spin from which friction
-/// brakes for any load, or to the end of the balance, otherwise up to 1.5 v / R.
+/// Returns the range of spins in which friction may drive the glass: up to 1.05 v / R if, in both directions,
+/// the balance ends before or friction brakes at all higher spins; otherwise up to 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);

@@ -19,8 +19,8 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Returns the averaging window of the mean spin [s]: more than ten times the slowest period and the decay
-/// time. The period of the glass is long if the glass turns at nearly the orbit's rate.
+/// Returns the averaging window of the mean spin [s]: the maximum of 16 slowest periods and 8 decay times.
+/// Both are limited; the period of the glass would diverge at the rate of the orbit.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
@@ -69,7 +69,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The accuracy is a tenth of the error between phases, at most 1e-3 or the error of the mean.
+  // The accuracy is a tenth of the error of the load interpolated in the phase, but at most the maximum of
+  // 1e-3 and the error of the mean load.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));
@@ -82,8 +83,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
                                            accuracy, spin_scale, question.grip_torque);
   spin.omega = mean.mean;
   found.ripple = mean.ripple;
-  // The error between phases counts only partly, because it averages out except if the ripple keeps the glass
-  // longer at some phases.
+  // The error of the load interpolated in the phase averages out unless the ripple keeps the glass longer at
+  // some phases. The factor `longer` estimates the part of this error that remains.
   const double turning = std::abs(mean.mean - motion.orbit_rate());
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
@@ -97,7 +98,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
 }
 
 /// Adds the terminal spin to @p found, or its long-time mean if the load depends on the phase. Returns a spin
-/// close to the zero at which the load was evaluated [rad/s].
+/// [rad/s] close to the terminal spin; the load has been evaluated at the returned spin.
 double find_terminal(const Load &load, const Question &question, Answer &found)
 {
   const Motion &motion = question.motion;

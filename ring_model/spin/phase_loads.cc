@@ -18,7 +18,8 @@ namespace
 /// Tolerance of the mean load over the phases and of its interpolation in the spin. In most studies it is a
 /// tenth of the uncertainty due to waviness.
 constexpr double tolerance = 1e-5;
-/// Maximum errors of the mean load (part of the error band) and of the load between phases (ripple only).
+/// Maximum errors of the mean load (part of the error band) and of the load interpolated in the phase
+/// (affects only the ripple).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
 /// Initial number of phases per angle, for loads that depend on one angle and on two angles. Powers of two
 /// allow an error estimate from every second and every fourth phase.
@@ -156,7 +157,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   tolerances.max_samples = sampling.max_samples;
   tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);
   Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, tolerances), {} };
-  // The samples may miss a kink, so the error is also measured between the spins, at one phase only.
+  // The samples may miss a kink, so the error is also measured between sampled spins, at one phase.
   constexpr int n_checks = 6;
   constexpr double safety = 2;
   double between_spins = 0;
