@@ -20,7 +20,7 @@ constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
 /// Width below which an interval is not bisected any more; it bounds the error of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
 constexpr double scan_step = 1. / 16.; ///< step of a scan; two closer zeros may be missed
-/// Distance of two samples above which their difference is not dominated by rounding.
+/// Distance of two spins above which the difference of their torques is not dominated by rounding.
 constexpr double rounding_distance = 1e-6;
 /// Minimum distance of two spins from which a slope of the stability margin is computed: at the end of the
 /// balance, and between rest and the zero.

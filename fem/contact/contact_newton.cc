@@ -23,9 +23,8 @@ namespace
 constexpr unsigned int min_nodes_across = 4;
 
 /// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
-/// vector): the minimum, over all tangents of the hull, of the distance to the tangent. With a moment
-/// balance, the weights of the moment conditions replace (x, y). The hull of a ring is assumed to be a
-/// circle.
+/// vector): the minimum distance, along @p direction, to a tangent of the hull. With a moment balance, the
+/// weights of the moment conditions replace (x, y). The hull of a ring is assumed to be a circle.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -88,7 +87,8 @@ public:
       n_idle = present_residual > 0.5 * least_residual ? n_idle + 1 : 0;
       least_residual = std::min(least_residual, present_residual);
       const bool balanced = is_balanced() || stagnates(present_residual, residual_before, n_idle);
-      // Between two balanced iterates, the active set changes only at nodes with zero force.
+      // After two successive balanced iterates, the iteration stops even if the active set has changed,
+      // because it then changes only at nodes with zero force.
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
       if (control.requires_unchanged_set)
@@ -111,8 +111,8 @@ public:
       if (violation == 0)
         return;
       evaluate();
-      // The violation is relative to the larger displacement of body and table, because on a flat land their
-      // sum tends to zero together with the violation.
+      // The violation is compared with the larger of the displacements of body and table, not with their sum,
+      // which tends to zero together with the violation on a flat land.
       const double moved = parts.max(std::max(body.contact_displacement().lpNorm<Eigen::Infinity>(),
                                               (modes * motion).lpNorm<Eigen::Infinity>()));
       if (violation <= control.tolerance * moved)

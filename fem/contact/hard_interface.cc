@@ -69,7 +69,7 @@ public:
   {
     const Eigen::VectorXd updated = forces(normal_displacement);
     // |f - multiplier| / stiffness is the penetration of a loaded node. For an unloaded node it is the
-    // remaining tension of the multiplier, expressed as a length.
+    // previous multiplier, expressed as a length.
     const Eigen::Index n = surface.n_owned_nodes();
     const double violation =
       surface.parts.max_entry(((updated - multipliers).head(n).array() / stiffness.head(n).array()).abs());

@@ -113,7 +113,8 @@ std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
   // The kurtosis of (1 - x^2)^a is 1.8 for a = 0 and 2.3 for a = 1.8. Other pressures are not approximated.
   if (!(kurtosis > 1.8 && kurtosis < 2.3))
     return {};
-  // On a half-space the exponent is 1/2 (Hertz), and a layer never makes the pressure more uniform.
+  // On a half-space the exponent is 1/2 (Hertz). A layer never makes the pressure more uniform, so the
+  // exponent is at least 1/2.
   const double exponent = std::max(0.5, PressureProfile::exponent_of(kurtosis));
   std::vector<PressureProfile> profiles;
   for (const PressureMoments &cut : cuts)

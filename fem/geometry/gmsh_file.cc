@@ -135,7 +135,7 @@ ElementType type_of(long number)
   return type->second;
 }
 
-/// Returns the sections of the file, the texts between "$Name" and "$EndName", by name.
+/// Returns the sections of the file (the texts between "$Name" and "$EndName"), by name.
 std::map<std::string, std::string_view> sections_of_gmsh(std::string_view text)
 {
   std::map<std::string, std::string_view> sections;

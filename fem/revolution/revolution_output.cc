@@ -152,7 +152,7 @@ private:
   /// Returns the number of azimuths, a multiple of `span`: about four per wavelength of the highest harmonic.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
-  /// Returns the load [N] of a contact cell in @p n_pieces, by the trapezoidal rule over the output nodes.
+  /// Returns the load [N] of a contact cell by the trapezoidal rule over the nodes of @p n_pieces pieces.
   double drawn_force(const Cell &cell, unsigned int n_pieces) const
   {
     const auto face = cell->face(contact_face(cell));

@@ -112,9 +112,8 @@ void LevelMatrix::set_contact(const Eigen::SparseMatrix<double> &tangent)
   contact->set(tangent);
   FloatVector &diagonal = inverse_diagonal->get_vector();
   diagonal = elastic_diagonal;
-  // The smoother was set up for the largest eigenvalue of D^-1 K (D: diagonal of K). With the contact
-  // tangent, this eigenvalue does not increase if the row sums of the tangent are added to D, not its
-  // diagonal.
+  // The smoother was set up for the largest eigenvalue of D^-1 K (D: diagonal of K). If the contact tangent
+  // is added to K and its row sums, not its diagonal, to D, the largest eigenvalue does not increase.
   contact->add_row_sums(diagonal);
   for (float &entry : diagonal)
     entry = 1 / entry;

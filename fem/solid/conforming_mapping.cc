@@ -25,8 +25,8 @@ using namespace dealii;
 namespace
 {
 
-/// Throws std::runtime_error for inverted cells: a halved cell may be thinner than the distance between the
-/// chord and the surface of its coarse face.
+/// Throws std::runtime_error if a cell is inverted. This happens if a halved cell is thinner than the
+/// distance between the chord and the curved surface of its coarse face.
 void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();

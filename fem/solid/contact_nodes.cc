@@ -72,7 +72,7 @@ ContactNodes::ContactNodes(const IndexSet &owned, std::vector<Dof> dofs, const M
   for (const auto &[rank, n] : among_dofs.ghost_targets())
     other_ranks.insert(other_ranks.end(), n, rank);
 
-  // The numbers are consecutive on each rank. Other ranks get the numbers as ghost values at the dofs.
+  // The node numbers are consecutive on each rank. Other ranks receive them as ghost values at the dofs.
   const Utilities::MPI::Partitioner among_nodes(Dof(places.size()), 0, communicator);
   const Dof first = among_nodes.local_range().first;
   LinearAlgebra::distributed::Vector<double> numbers(owned, others, communicator);

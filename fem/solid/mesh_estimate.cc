@@ -32,7 +32,7 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// Next to an edge, a higher degree alone improves the accuracy little, so cells are halved there.
+/// Number of halvings of the cells at re-entrant edges, where a higher degree alone has little effect.
 constexpr unsigned int n_edge_halvings = 2;
 
 bool touches_contact(const Cell &cell, double inner, double outer)
@@ -55,8 +55,7 @@ bool touches_contact(const Cell &cell, double inner, double outer)
   return false;
 }
 
-/// Returns the angle between the two faces of @p cell at the edge @p line. The edge is assumed to be
-/// straight.
+/// Returns the angle between the two faces of @p cell at the edge @p line, assumed to be straight.
 double angle_at(const Cell &cell, unsigned int line)
 {
   const Point<3> begin = cell->line(line)->vertex(0), end = cell->line(line)->vertex(1);

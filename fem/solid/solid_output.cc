@@ -25,9 +25,8 @@ namespace
 
 using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
 
-/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m], q0 + q1
-/// x
-/// + q2 y upward and the horizontal part of this small rotation; stress [Pa]; elastic strain; von Mises
+/// Output fields: elastic displacement relative to the stem's cut [m]; rigid motion of the glass [m] (upward
+/// q0 + q1 x + q2 y, and the horizontal part of this small rotation); stress [Pa]; elastic strain; von Mises
 /// stress [Pa].
 class GlassFields : public DataPostprocessor<3>
 {

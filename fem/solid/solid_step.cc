@@ -62,8 +62,8 @@ struct StepNumbers
 {
   /// Maximum number of conjugate-gradient iterations; usual meshes need 20 to 75.
   unsigned int max_iterations = 200;
-  /// Maximum number of iterations under given forces, for which no later Newton step corrects the error.
-  /// Distorted cells need about 250.
+  /// Maximum number of iterations of a solve with given forces. It is larger, because no later Newton step
+  /// corrects the error. Distorted cells need about 250 iterations.
   unsigned int max_iterations_of_forces = 2000;
 
   /// Target residual relative to the forces: a fifth of the tolerance of Newton's method.
@@ -340,7 +340,7 @@ double SolidBody::target_residual(double residual, double force)
 {
   if (linear_tolerance > 0)
     return linear_tolerance * residual;
-  // Newton's method converges quadratically, so the reduction of the last step is squared.
+  // Newton's method converges quadratically, so the target reduction is the square of the last reduction.
   const double ratio = residual_before > 0 ? residual / residual_before : 0.1;
   residual_before = residual;
   const double target = std::min(tuned.least_reduction, ratio * ratio) * residual;

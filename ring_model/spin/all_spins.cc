@@ -32,8 +32,8 @@ struct Reach
 };
 
 /// Returns true if friction brakes at @p omega and at all higher spins with more than ten times the lean
-/// torque. If every rim point turns faster than the glass travels, eps = |omega| r / v > 1, friction brakes
-/// at every point with an arm of at least sqrt(1 - 1 / eps^2) r, for any load without tension.
+/// torque. If every rim point turns faster than the glass travels (eps = |omega| r / v > 1), friction brakes
+/// at every point with an arm of at least sqrt(1 - 1 / eps^2) r. This holds for any load without tension.
 bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 {
   constexpr double much = 10;
@@ -49,8 +49,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range of spins in which friction may drive the glass: up to 1.05 v / R if, in both directions,
-/// the balance ends before or friction brakes at all higher spins; otherwise up to 1.5 v / R.
+/// Returns the range of spins in which friction may drive the glass: up to 1.05 v / R if the balance ends
+/// earlier or friction brakes at all higher spins (in each direction), otherwise up to 1.5 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);

@@ -62,7 +62,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // Inertia only reduces the ripple, so the spin remains between the zeros of the torques of the phases.
+  // Inertia only reduces the ripple, so the spin remains between the zeros of the torques at the phases.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
     largest_torque =

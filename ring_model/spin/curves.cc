@@ -84,7 +84,7 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
                                       double tolerance)
 {
   const PhaseGrids &grids = load.phases()->phases();
-  // The interpolated load has a kink at the end of its polynomial, so the table ends there.
+  // The load is a piecewise polynomial in the spin with kinks between the pieces. The table covers one piece.
   const auto [slowest, fastest] = load.phases()->polynomial_range(middle);
   const double lower = std::max(middle - reach, slowest), upper = std::min(middle + reach, fastest);
   const auto at_phases = [&](double omega)
