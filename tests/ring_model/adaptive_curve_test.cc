@@ -40,9 +40,10 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
            kinks };
 }
 
-TEST(AdaptiveCurve, TrueErrorIsBoundedByTheStatedError)
+TEST(AdaptiveCurve, TrueErrorIsAtMostThreeTimesTheStatedError)
 {
-  // If the kink is not given, the true error may be up to three times the stated error.
+  // If a kink is given, or if there is none, the stated error bounds the true error. If the kink is not
+  // given, the factor three is allowed.
   for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })
@@ -96,7 +97,7 @@ TEST(Load, InterpolatesWithinTheStatedError)
   EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0);
 }
 
-TEST(Load, InterpolatesTheDifferenceToASimilarLoad)
+TEST(Load, InterpolatesWithFewerSamplesNextToASimilarLoad)
 {
   const Rim rim_in_balance;
   const auto exact = [&](double omega) { return rim_in_balance.at(omega); };

@@ -31,7 +31,7 @@ Load balanced_load(const Motion &motion)
               { return ring.at(omega).load; });
 }
 
-TEST(Answer, AgreesWithTheClosedFormOfTheFirstHarmonic)
+TEST(Answer, AgreesWithTheSelfConsistentRing)
 {
   const Motion motion = paper_motion();
   const SelfConsistentRing ring(Closure::full, motion, radius);
@@ -75,7 +75,7 @@ TEST(Load, SolvesEachSpinOnce)
   EXPECT_FALSE(load.nearest_unbalanced_spin(2.2));
 }
 
-TEST(Answer, ReportsTheHarmonicsOfATruncatedLoad)
+TEST(Answer, ComparesATruncatedLoadWithTheFullLoad)
 {
   const RingStack rich({ 0.47, 0.1, 0.03 }, { 0., 0.3, -0.02 }, radius);
   const Load load([=](double) -> Sample { return rich; });

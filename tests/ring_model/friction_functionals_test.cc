@@ -43,7 +43,7 @@ TEST(FrictionFunctionals, IgnoreHarmonicsAboveTheGivenMaximum)
   EXPECT_NEAR(more.torque(load), coulomb_wrench(mu, load, 4., speed).torque, ulps(3, 0.02));
 }
 
-TEST(FrictionFunctionals, RefuseALoadWithAnotherNumberOfRings)
+TEST(FrictionFunctionals, RefuseAnotherNumberOfRingsAndZeroVelocity)
 {
   const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), { 0.02, 0.04 }, 3, 4., speed);
   EXPECT_THROW(friction.torque(load), std::invalid_argument);

@@ -18,8 +18,9 @@ namespace
 using Real =
   boost::multiprecision::number<boost::multiprecision::cpp_dec_float<50>, boost::multiprecision::et_off>;
 
-/// Computes P_n and K_n for n <= 64 from their integrals with 50 digits. The panels are halved towards psi =
-/// 0 until they are shorter than |1 - eps|, the distance of the singularity.
+/// Computes P_n and K_n for n <= 64 from their integrals with 50 digits. The panels are halved towards the
+/// angle of least slip (psi = 0 or pi) until they are shorter than | |eps| - 1 |, about the distance of the
+/// complex singularity from this angle.
 class QuadratureOracle
 {
 public:
@@ -86,8 +87,8 @@ TEST(FrictionKernels, AgreeWithReferenceCases)
 
 TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
 {
-  // U_n (for |eps| <= 1) and K_n (for |eps| > 1) change sign near |eps| = 1, so |P_n| is added to the scale
-  // of the tolerance.
+  // U_n (for |eps| <= 1) and K_n (for |eps| > 1) change sign near |eps| = 1, where their relative error is
+  // unbounded. Therefore |P_n| is added to the scale of the tolerance.
   const double tolerance = 1.5e-14;
   std::vector<double> slip_ratios{ 0.1, 0.5, 0.75, 0.9, 1., -1., 2., 10., -0.97, -1.02 };
   for (const double distance : { 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.018, 0.02, 0.04, 0.08 })
@@ -127,7 +128,7 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
   RecordProperty("largest_relative_error", std::to_string(worst));
 }
 
-TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
+TEST(FrictionKernels, AgreeWithTheLimitsOfSmallSlipRatios)
 {
   // Limits for eps -> 0: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n.
   // The next terms are smaller by eps^2.
@@ -152,7 +153,7 @@ TEST(FrictionKernels, ReachSmallSlipLimitsWithAllDigits)
     EXPECT_TRUE(rest.P(n) == 0. && rest.K(n) == 0. && rest.U(n) == 0.) << n;
 }
 
-TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlip)
+TEST(FrictionKernels, SatisfyParityDualityAndRecurrenceAtRandomSlipRatios)
 {
   test::Numbers numbers(20260101);
   for (unsigned int trial = 0; trial < 400; ++trial)

@@ -69,10 +69,10 @@ TEST(FrictionLaw, ConstantLawsUseTheKernels)
   EXPECT_EQ(found.torque, exact.torque);
 }
 
-TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
+TEST(FrictionLaw, ViscousFrictionAgreesWithItsClosedForm)
 {
-  // Closed form: for mu = c |v_rel| the friction -c int lambda v_rel is linear in the coefficients of the
-  // load.
+  // Closed form: for mu = c |v_rel|, the friction -c int lambda v_rel dtheta depends only on the harmonics 0
+  // and 1 of the load.
   const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius();
   const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),
@@ -82,7 +82,7 @@ TEST(FrictionLaw, ViscousFrictionIsLinearInTheSlip)
   expect_relative(found.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12, "tau");
 }
 
-TEST(FrictionLaw, StribeckCoefficientApproachesItsLimits)
+TEST(FrictionLaw, StribeckCoefficientAgreesWithItsFormula)
 {
   const StribeckLaw law({ 0.5, 0.3, 0.05, 0.1, 1. });
   EXPECT_DOUBLE_EQ(law.coefficient(0.), 0.5);

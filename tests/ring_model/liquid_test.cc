@@ -20,7 +20,7 @@ using Eigen::Vector3d;
 /// forces f = mass * @p field at the centres of the columns [N m].
 std::pair<double, Vector3d> columns(const Liquid &liquid, const Eigen::Vector2d &slope, const Vector3d &field)
 {
-  // Gauss points along r and equal angles are exact for these polynomials in x and y.
+  // Gauss points in r and equally spaced angles integrate these polynomials in x and y exactly.
   const double node = std::sqrt(0.6) / 2, points[3] = { 0.5 - node, 0.5, 0.5 + node },
                weights[3] = { 5. / 18, 8. / 18, 5. / 18 };
   constexpr unsigned int n_angles = 16;
@@ -108,7 +108,7 @@ TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
   }
 }
 
-TEST(Liquid, RefusesOverflowAndABareBottom)
+TEST(Liquid, RefusesOverflowABareBottomAndInvalidValues)
 {
   Motion motion = filled(3);
   const double level = motion.liquid.level(),

@@ -14,7 +14,8 @@ namespace
 
 using namespace stemware::ring;
 
-/// The second harmonic rotates with the table, the third with the glass.
+/// Returns a load whose second harmonic rotates with the table and whose third harmonic rotates with the
+/// glass.
 RingStack wavy_load(const Orientation &phase)
 {
   return RingStack({ 1., 0.2, 0.1 * std::cos(2. * phase.table), 0.05 * std::cos(3. * phase.glass) },
@@ -28,14 +29,15 @@ Load load_by_phase()
   return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
 }
 
-/// Expects a torque tabulated up to @p last in steps of @p step to agree with the trapezoidal rule at @p
-/// spins. Spins are in units of v / R, @p tolerance in units of mu N R.
-void expect_torques(double last, double step, const std::vector<double> &spins, double tolerance)
+/// Expects the torque tabulated within @p reach of the spin @p middle to agree with the trapezoidal rule at
+/// @p spins. Spins are in units of v / R, @p tolerance in units of mu N R.
+void expect_torques(double middle, double reach, const std::vector<double> &spins, double tolerance)
 {
   const Load load = load_by_phase();
   const Motion motion;
   const double scale = load.spin_scale(motion), size = motion.friction_coefficient * 2. * pi * 0.03;
-  const PhasedTorqueFunction torque = tabulated_torque(load, motion, last * scale, step * scale, 1e-9 * size);
+  const PhasedTorqueFunction torque =
+    tabulated_torque(load, motion, middle * scale, reach * scale, 1e-9 * size);
   double time = 0., yaw_angle = 0.;
   for (const double spin : spins)
   {
@@ -51,7 +53,7 @@ void expect_torques(double last, double step, const std::vector<double> &spins, 
 
 } // namespace
 
-TEST(TabulatedTorque, InterpolatesBetweenPhasesAndSpins)
+TEST(TabulatedTorque, InterpolatesInPhaseAndSpin)
 {
   std::vector<double> spins;
   for (int i = 0; i < 20; ++i)
@@ -64,7 +66,7 @@ TEST(TabulatedTorque, UsesTheExactLoadOutsideItsTable)
   expect_torques(0.4, 0.01, { -0.7, 0., 0.2, 0.6 }, 1e-9);
 }
 
-TEST(TabulatedTorque, IsExactAcrossTheKinkAtSlipRatioOne)
+TEST(TabulatedTorque, IsAccurateAcrossTheKinkAtSlipRatioOne)
 {
   expect_torques(1., 0.05, { 0.97, 0.999, 1.01 }, 1e-5); // the quadrature error at the kink is 1e-5 of mu N R
 }

@@ -81,8 +81,8 @@ TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
 
 TEST(UnilateralRim, UprightSlidingIsStableUnderACompressiveLoad)
 {
-  // Closed form for a hand at the centre of mass: -d tau/d eps = mu N R (<cos^2> - (mu h/R) <cos>) = mu N R
-  // Var(cos).
+  // Closed form for a hand at the height h of the centre of mass: -d tau/d eps = mu N R (<cos^2> - (mu h/R)
+  // <cos>) = mu N R Var(cos), with means <.> over the rim weighted by the load.
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09;

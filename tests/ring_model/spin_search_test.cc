@@ -15,7 +15,8 @@ namespace
 const double radius = 0.03;
 const double scale = 0.35 / radius; ///< spin scale v / R [rad/s]
 
-/// Returns the last spin with a moment balance [rad/s]. Requires a search that fails with @p Cause.
+/// Returns the last spin with a moment balance [rad/s]. Expects the search to throw BalanceLost with a nested
+/// @p Cause.
 template <typename Cause = Tipping>
 double last_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
@@ -155,8 +156,8 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
 
 TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
 {
-  // The torque rises up to 3 rad/s and vanishes at 6 rad/s, so only the scan detects the gap without a
-  // balance.
+  // The torque rises up to 3 rad/s and vanishes at 6 rad/s, and there is no balance between 1 and 1.2 rad/s.
+  // A torque that rises between rest and the zero triggers a scan, which detects this gap.
   const auto torque = [](double omega)
   {
     if (omega > 1. && omega < 1.2)
@@ -225,7 +226,7 @@ TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
     }
 }
 
-TEST(SpinSearch, StopsWhenTheTorqueIsBelowItsNoise)
+TEST(SpinSearch, StopsAtTheGivenToleranceUnderANoisyTorque)
 {
   const auto torque = [](double omega) { return 1. - omega + 1e-9 * std::sin(1e12 * omega); };
   SpinSearch search{ 3. };
@@ -236,7 +237,7 @@ TEST(SpinSearch, StopsWhenTheTorqueIsBelowItsNoise)
   EXPECT_NEAR(find_terminal_spin(torque, { 3. }).omega, 1., 3e-9);
 }
 
-TEST(SpinSearch, RefusesATorqueWithoutATerminalSpin)
+TEST(SpinSearch, RefusesTorquesWithoutATerminalSpinAndInvalidArguments)
 {
   EXPECT_THROW(find_terminal_spin([](double) { return 1.; }, { 1. }), NoTerminalSpin);
   EXPECT_THROW(find_terminal_spin([](double omega) { return 1. + omega; }, { 1. }), NoTerminalSpin);

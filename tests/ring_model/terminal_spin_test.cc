@@ -45,7 +45,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
   }
 }
 
-TEST(TerminalSpin, FrictionBrakesAnyLoadAtSlipRatiosAboveOne)
+TEST(TerminalSpin, FrictionBrakesTheRingAboveSlipRatioOneUnderPointLoads)
 {
   // Fejer kernels are compressive loads close to a point force at any azimuth. Lower bound of the braking
   // torque: mu N R sqrt(1 - 1 / eps^2).
@@ -111,11 +111,11 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
   EXPECT_FALSE(spins[1].stable);
 }
 
-TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyUnderANegativeLoad)
+TEST(TerminalSpin, UprightSlidingIsUnstableUnderAPartlyTensileLoad)
 {
-  // If the hand is at the height of the centre of mass, the damping under the first harmonic is 1/2 - (mu
-  // h/R)^2, which is negative for mu h / R > 1/sqrt 2. The damping under a compressive load is <cos^2> -
-  // <cos>^2 >= 0 (docs/theory/closures.md).
+  // With the hand at the height h of the centre of mass, the damping in units of mu N R is 1/2 - (mu h/R)^2
+  // under the first harmonic, negative for mu h/R > 1/sqrt 2. Under a compressive load, the damping is a
+  // variance, <cos^2> - <cos>^2 >= 0 (docs/theory/closures.md).
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09; // mu h / R = 0.9
@@ -131,7 +131,7 @@ TEST(TerminalSpin, UprightSlidingLosesStabilityOnlyUnderANegativeLoad)
   expect_relative(damping, 0.5 - 0.9 * 0.9, 1e-6, "damping");
 }
 
-TEST(TerminalSpin, RefusesATorqueWithoutAZero)
+TEST(TerminalSpin, RefusesTorquesWithoutAZeroAndInvalidArguments)
 {
   EXPECT_THROW(terminal_spin([](double) { return 1.; }, 1., { 1. }), std::runtime_error);
   EXPECT_TRUE(all_terminal_spins([](double) { return 1.; }, 1., 1., -1., 1.).empty());

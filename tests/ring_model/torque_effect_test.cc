@@ -68,7 +68,8 @@ TEST(TorqueEffect, LargestEffectAgreesWithADenseScan)
       const double change = TorqueByHarmonics(motion, load_at(omega), omega).change(row.harmonics);
       largest = std::abs(change) > std::abs(largest) ? change : largest;
     }
-    // The scan steps over the maximum; its largest value is too small by the factor 1 - 1e-8.
+    // The maximum lies between two points of the scan, so the largest value of the scan is too small by up to
+    // 1e-8 (relative).
     EXPECT_NEAR(*row.largest, largest, 1e-7 * std::abs(largest));
     EXPECT_NEAR(*row.largest,
                 TorqueByHarmonics(motion, load_at(*row.largest_at), *row.largest_at).change(row.harmonics),

@@ -57,9 +57,9 @@ void descend(double c, double p, double decay, unsigned int n_max, const Visit &
 }
 
 /// Rigid ring pressed on a foundation without tension under the law lambda(theta) = A max(0, cos(theta -
-/// beta) - c)^p. p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of circular cross-section on
-/// a mat. The whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part of the ring up to tipping
-/// at m = 2. Derivation: docs/theory/load_models.md.
+/// beta) - c)^p, with its maximum at beta. p = 1: flat rim on a linear elastic mat (Winkler); p = 3/2: rim of
+/// circular cross-section on a mat. The whole ring is loaded (c < -1) up to the moment ratio 2p/(p+1), a part
+/// of the ring up to tipping at m = 2. Derivation: docs/theory/load_models.md.
 class UnilateralFoundation
 {
 public:
@@ -74,7 +74,7 @@ public:
 
   double lift_off_ratio() const { return 2. * p / (p + 1.); }
 
-  /// Throws Tipping as edge().
+  /// Returns the load under the given resultants. Throws Tipping as edge().
   RingStack rings(double normal_force, const Eigen::Vector2d &moment) const
   {
     std::vector<double> a = shape(moment.norm() / (0.5 * normal_force * ring_radius));
@@ -108,7 +108,7 @@ public:
                           2. - moment_ratio, onset - moment_ratio);
   }
 
-  /// Throws Tipping as edge().
+  /// Returns a_n / a_0 up to n_max, for the largest load at theta = 0. Throws Tipping as edge().
   std::vector<double> shape(double moment_ratio) const
   {
     const double c = edge(moment_ratio);
@@ -142,7 +142,8 @@ private:
       descend(-1. / kappa, p, decay, 1, [&](unsigned int, double value) { ratio = value; });
       return 2. * ratio;
     }
-    // By parts, a_1 = p kappa / pi int sin^2 (1 + kappa cos)^{p-1}: positive, and proportional to kappa.
+    // Integration by parts gives a_1 = p kappa / pi int sin^2 (1 + kappa cos)^{p-1}. Its integrand is not
+    // negative, so nothing cancels.
     const double a1 = integral(
       [&](double t)
       {

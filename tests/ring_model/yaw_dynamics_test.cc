@@ -36,7 +36,7 @@ TEST(PaperSpinUp, AgreesWithTheReference)
   expect_spin(0.2, rows["omega_at_t0p2"]);
 }
 
-TEST(OrbitSpeedTable, InterpolatesMonotonicallyAndDoesNotExtrapolate)
+TEST(OrbitSpeedTable, InterpolatesMonotonicallyAndRefusesInvalidTimesAndSpeeds)
 {
   const OrbitSpeedTable table({ 0., 0.5, 1., 1.5, 3. }, { 0.1, 0.3, 0.35, 0.35, 0.2 });
   EXPECT_EQ(table.speed(0.5), 0.3);
@@ -227,7 +227,7 @@ TEST(HandDrive, SpinIsAccurateAtAndBetweenTheRowsOfTheSpeeds)
   EXPECT_LE(braking.largest_error(1e-6, 60), 1e-6 * 0.35 / 0.03);
 }
 
-TEST(HandDrive, AGlassHeldByTheFingersStaysAtRest)
+TEST(HandDrive, FingersHoldAndReleaseTheGlass)
 {
   const HandByRows hand{ { 0., 0.4, 0.8, 1., 1.5, 2. }, { 0.35, 0.35, 0.05, 0.05, 0.3, 0.35 }, 0.0009 };
   double held = 0.;

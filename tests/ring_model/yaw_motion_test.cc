@@ -250,7 +250,7 @@ TEST(YawMotion, AHeldGlassStaysAtRest)
   }
 }
 
-TEST(YawMotion, StepsEndAtEachBreak)
+TEST(YawMotion, IsAccurateAcrossCornersOfTheTorqueAtGivenBreaks)
 {
   // The time derivative of the torque jumps thirty times.
   const double rate = 4.;
