@@ -61,7 +61,7 @@ inline ContactStart from(const ContactSolution &solution)
   return { solution.motion, solution.normal_displacement };
 }
 
-/// Penalty stiffness 0: for compliant interfaces only.
+/// Returns the law of a compliant @p interface, which needs no penalty stiffness.
 inline std::unique_ptr<TableLaw> make_law(const InterfaceLaw &interface, const ContactSurface &surface)
 {
   return interface.make(surface, 0);

@@ -42,8 +42,7 @@ ring::CurveSource rim_source(const std::vector<double> &kinks = {})
 
 TEST(AdaptiveCurve, TrueErrorIsAtMostThreeTimesTheStatedError)
 {
-  // If a kink is given, or if there is none, the stated error bounds the true error. If the kink is not
-  // given, the factor three is allowed.
+  // The factor three is allowed only if the kink is not given.
   for (const bool is_known : { false, true })
     for (const double upper : { 1.1, 1.5 })
       for (const double tolerance : { 1e-4, 1e-7 })

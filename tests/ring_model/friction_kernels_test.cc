@@ -128,7 +128,7 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
   RecordProperty("largest_relative_error", std::to_string(worst));
 }
 
-TEST(FrictionKernels, AgreeWithTheLimitsOfSmallSlipRatios)
+TEST(FrictionKernels, ReachSmallSlipRatioLimitsToRounding)
 {
   // Limits for eps -> 0: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n.
   // The next terms are smaller by eps^2.
@@ -220,7 +220,7 @@ TEST(FrictionKernels, AreIndependentOfTheNumberOfHarmonics)
   }
 }
 
-TEST(FrictionKernels, RefuseZeroAndInvalidSlip)
+TEST(FrictionKernels, RefuseZeroAndInvalidVelocities)
 {
   EXPECT_THROW(FrictionKernels(0., 0., 3), std::invalid_argument);
   EXPECT_THROW(FrictionKernels(1., -1., 3), std::invalid_argument);

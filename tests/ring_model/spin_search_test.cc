@@ -193,8 +193,8 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 
 TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
-  // The torque jumps by `drop` to a second balance at 0.7 rad/s. `beyond` is the stability margin of the
-  // second balance. A change of the torque by `drop` over 2e-3 rad/s is no jump.
+  // The torque jumps by `drop` to a second balance at 0.7 rad/s. `beyond` is added to the stability margin of
+  // the second balance. A change of the torque by `drop` over 2e-3 rad/s is no jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })

@@ -33,7 +33,7 @@ TEST(ContactDemand, NodeValuesEqualTheFunctionalOfUnitForces)
   }
 }
 
-TEST(MeshError, MarksTheLargestCellsIncludingTies)
+TEST(MeshError, MarksTheCellsOfLargestErrorIncludingTies)
 {
   const MeshError error = { 0, { 1, 5, 3, 5, 0.5, 0, 3 } };
   using Cells = std::vector<unsigned int>;

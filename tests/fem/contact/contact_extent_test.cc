@@ -25,7 +25,8 @@ using stemware::ring::pi;
 class PlaneLand
 {
 public:
-  /// @p across_begin and @p across_end are the width vectors of the line at its ends [m].
+  /// Adds a line from @p begin to @p end. @p across_begin and @p across_end are the width vectors at its ends
+  /// [m].
   void add_line(const Eigen::RowVector2d &begin, const Eigen::RowVector2d &end,
                 const Eigen::RowVector2d &across_begin, const Eigen::RowVector2d &across_end,
                 double azimuth_width)
@@ -79,7 +80,8 @@ struct Pressed
   Eigen::Vector3d motion;
 };
 
-/// Solves a rigid foot under @p normal_force [N] at (x, y) [m] on a mat of @p modulus [Pa/m].
+/// Returns contact extent and motion of a rigid foot under @p normal_force [N] at (x, y) [m] on a mat of @p
+/// modulus [Pa/m].
 Pressed pressed_at(const ContactSurface &surface, double normal_force, double x, double y, double modulus)
 {
   RigidFoot foot(surface);
@@ -232,8 +234,9 @@ TEST(ContactExtent, SharesAreExactlyOneInFullContact)
   EXPECT_LT(pressed(annulus(land, 0.02, 0.04, 128), 0.0126).area_share, 1);
 }
 
-// Code_Aster V6.02.130: a square of 2 m under 80/3 N at 0.5 m from its centre, on 5000 Pa/m. One edge
-// penetrates by 4/1125 m, the opposite edge is 4/3375 m above the mat.
+// Reference: test case V6.02.130 of Code_Aster, a square plate of side 2 m under 80/3 N at 0.5 m from its
+// centre, on a mat of 5000 Pa/m. One edge penetrates by 4/1125 m, the opposite edge is 4/3375 m above the
+// mat.
 TEST(ContactExtent, AgreesWithCodeAsterUnderARigidPlate)
 {
   PlaneLand land;

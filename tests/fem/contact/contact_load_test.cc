@@ -72,8 +72,8 @@ TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitForVanishingMoment)
 
 TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
 {
-  // A force of 1e-16 N acts at five half-widths from the rings, where Lagrange polynomials of 40 rings reach
-  // 1e39.
+  // A force of 1e-16 N acts at five half-widths from the middle of the rings, where Lagrange polynomials of
+  // 40 rings reach 1e39.
   std::vector<double> radii;
   for (int j = 39; j >= 0; --j)
     radii.push_back(0.030 + 0.0004 * std::cos(pi * (j + 0.5) / 40));
@@ -141,7 +141,8 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
 {
   // The minimum of 0.5 + 0.45 cos(theta - phase) is 0.05. The lowest sample lies up to 2e-3 above, and a
-  // parabola through three samples misses the minimum by 1e-5.
+  // parabola through three samples misses the minimum by 1e-5. The trigonometric interpolation of equidistant
+  // samples finds it to rounding.
   for (const unsigned int n : { 32u, 33u })
     for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
     {

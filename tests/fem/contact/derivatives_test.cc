@@ -37,7 +37,7 @@ struct LeaningRim
   Eigen::VectorXd direction;          ///< random direction of the derivative [m]
 };
 
-/// Returns the moment balance with friction and tilt, whose conditions are the border of Newton's system.
+/// Returns a moment balance with friction and tilt moment. Its linear conditions border Newton's system.
 ContactDemand friction_and_tilt()
 {
   ContactDemand demand(weight, 0.012, -0.01);

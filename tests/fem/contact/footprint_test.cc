@@ -78,8 +78,8 @@ TEST(Footprint, WidthContainsNinetyNinePercentOfALoadWithoutEdge)
   }
 }
 
-/// The outer half of the land is loaded over half the rim, and a single point at the end of the land on the
-/// other half. The mean must not become 0 / 0.
+/// On one half of the rim, the outer half of the land is loaded; on the other half, only a single point at
+/// its outer edge. The loaded width at this point is zero, so the mean pressure must not become 0 / 0.
 TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
 {
   PressureMap footprint;
@@ -146,8 +146,8 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   }
 }
 
-/// The map interpolates the square of the pressure, so a Hertz pressure ends at the contact edges even
-/// between two grid points.
+/// The edges are extrapolated with the square of the pressure. For a Hertz pressure, the square is a
+/// parabola, so the edges are exact even between two grid points.
 TEST(PressureProfile, MapEndsAtTheContactEdges)
 {
   const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };

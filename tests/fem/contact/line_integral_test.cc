@@ -24,7 +24,7 @@ ContactLine radial_line(double azimuth)
 }
 } // namespace
 
-TEST(LineIntegral, FindsTheIntervalsOfAPositiveQuadratic)
+TEST(LineIntegral, FindsTheIntervalsWhereAQuadraticIsPositive)
 {
   // Samples of (xi - 0.5)(xi + 0.25) at -1, 0, 1.
   const PositiveSegments two(Eigen::Vector3d(1.125, -0.125, 0.625));

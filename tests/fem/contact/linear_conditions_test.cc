@@ -114,7 +114,7 @@ TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderABodyOfRevolut
   expect_fixed_point(foot.body, *law);
 }
 
-TEST(LinearConditions, RefusesInvalidConditions)
+TEST(LinearConditions, RefusesInvalidConditionsAndReportsTippingForImpossibleOnes)
 {
   const FootCase foot(GlassProfile(), { 12, 2, 1 });
   RigidFoot rigid(foot.body->contact_surface());
@@ -125,7 +125,8 @@ TEST(LinearConditions, RefusesInvalidConditions)
   EXPECT_THROW(LinearConditions(surface, 2 * modes, { 1, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 0, 0, 0 }), std::invalid_argument);
   EXPECT_THROW(LinearConditions(surface, modes, { 1, std::nan(""), 0 }), std::invalid_argument);
-  // A weighted mean of compressive forces cannot exceed the largest weight.
+  // Under compressive forces, the force-weighted mean of the weights (here 0.2) cannot exceed the largest
+  // weight (here 0.13).
   const auto law = make_law(WinklerInterface(1e10), surface);
   Eigen::MatrixX3d shifted = modes;
   shifted.col(1).array() += 0.1;

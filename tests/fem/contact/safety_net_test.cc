@@ -11,8 +11,8 @@ using namespace stemware::fem_tests;
 namespace
 {
 
-/// Pressure that rises from 0 to 2 @p middle within a few @p width around zero penetration. Undamped Newton
-/// steps that start outside this range diverge.
+/// Pressure that rises from 0 to 2 @p middle within a few multiples of @p width around zero penetration.
+/// Undamped Newton steps that start outside this range diverge.
 struct SaturatingInterface : PressureInterface<SaturatingInterface>
 {
   SaturatingInterface(double middle, double width)

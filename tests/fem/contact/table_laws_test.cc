@@ -41,7 +41,7 @@ struct RigidRing
   RigidFoot foot;
 };
 
-/// Solves @p value(x) = @p target by bisection of [low, high] for an increasing function.
+/// Returns x in [low, high] with @p value(x) = @p target for an increasing function, by bisection.
 template <typename Function>
 double invert(const Function &value, double target, double low, double high)
 {
@@ -67,7 +67,7 @@ TEST(RoughInterface, GivesBesselHarmonicsUnderARigidRing)
       const auto ratio = [](unsigned int n, double x)
       { return 2 * boost::math::cyl_bessel_i(n, x) / boost::math::cyl_bessel_i(0, x); };
       const double x = invert([&](double y) { return ratio(1, y); }, load.a(1) / load.a(0), 0, 50);
-      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // the ring is 0.1 mm wide
+      EXPECT_NEAR(load.a(1) / load.a(0), m, 1e-4); // the closed form neglects the width of 0.1 mm
       for (unsigned int n = 2; n <= 8; ++n)
         EXPECT_NEAR(load.a(n) / load.a(0), ratio(n, x), 1e-5) << "m = " << m << ", n = " << n;
       EXPECT_EQ(load.contact_fraction, 1);
@@ -125,7 +125,7 @@ TEST(SlidingTraction, OpposesTheSlipInRotatedAxes)
     }
 }
 
-TEST(SlidingTraction, AllowsZeroFriction)
+TEST(SlidingTraction, AllowsZeroButNotNegativeFriction)
 {
   const SlidingTraction smooth{ 0, -40. };
   EXPECT_NO_THROW(smooth.validate());
@@ -134,7 +134,7 @@ TEST(SlidingTraction, AllowsZeroFriction)
 }
 
 // Reference: midpoint rule of the pressure under a crown of height x^2 / (2 rho).
-TEST(InterfaceHalfWidth, IntegratesToTheLineLoadUnderACrown)
+TEST(InterfaceHalfWidth, PressureWithinItIntegratesToTheLineLoad)
 {
   const double line_load = 5e3, crown_radius = 2e-3;
   const WinklerInterface mat(3e11);

@@ -26,8 +26,8 @@ struct RandomSection
   TableDisc disc;
 };
 
-/// Returns a land of 0.5 to 4 mm and a foot up to six times as thick, most with a focus of up to twelve
-/// halvings.
+/// Returns a random section: the land is 0.5 to 4 mm wide, the foot up to six times as thick. In most
+/// sections, cells are refined towards a focus on the land by up to twelve halvings.
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);
@@ -93,7 +93,7 @@ struct Shape
   double worst_of_contact = 0; ///< largest aspect ratio of the cells on the contact zone
 };
 
-/// Returns infinite aspect ratios if a cell is inverted.
+/// Returns the largest aspect ratios, which are infinite if a cell is inverted.
 Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degree)
 {
   const dealii::Vector<double> ratios = dealii::GridTools::compute_aspect_ratio_of_cells(
@@ -112,7 +112,7 @@ Shape shape_of(const dealii::Triangulation<2> &triangulation, unsigned int degre
 
 } // namespace
 
-TEST(ContactCells, AreSharedByFootAndDisc)
+TEST(ContactCells, AreWellShapedAndSharedByFootAndDisc)
 {
   for (unsigned int seed = 1; seed <= 100; ++seed)
   {
@@ -142,7 +142,8 @@ TEST(ContactCells, AreSharedByFootAndDisc)
       if (!section.resolution.has_focus())
         continue; // the cells of a graded land may be elongated
       EXPECT_LT(shape.worst_of_contact, 5);
-      // A narrow column of cells in a disc extends to the bottom, where the solution hardly varies along r.
+      // In a disc, columns of narrow cells extend from the focus to the bottom. Elongated cells do no harm
+      // there, because the solution hardly varies along r.
       EXPECT_LT(shape.worst, mesh == &foot ? 400 : 2000);
     }
   }

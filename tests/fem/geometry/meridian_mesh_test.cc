@@ -110,8 +110,8 @@ TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
   }
 }
 
-/// Without a fillet, the stem begins at the top of the foot up to rounding, and this rounding error must not
-/// create a row of cells.
+/// Without a fillet, the bottom of the stem and the top of the foot have the same height except for rounding.
+/// The difference must not create a row of sliver cells.
 TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
 {
   for (const double stem_radius : { 0.004, 0.0045, 0.005, 0.0061, 0.0074774, 0.00761733 })
@@ -127,7 +127,7 @@ TEST(MeridianMesh, AvoidsSliverCellsAtASharpCorner)
   }
 }
 
-TEST(MeridianMesh, RefusesImpossibleSections)
+TEST(MeridianMesh, RefusesInvalidResolutionsAndDiscs)
 {
   dealii::Triangulation<2> triangulation;
   MeridianResolution resolution;

@@ -23,7 +23,7 @@ namespace
 
 using Polyline = std::vector<SectionVertex>;
 
-/// The first point is on line 2 of a file.
+/// Returns the polyline through @p points [mm]. The first point is on line 2 of its file.
 Polyline in_millimetres(const std::vector<std::pair<double, double>> &points)
 {
   Polyline polyline;
@@ -110,7 +110,7 @@ TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 TEST(MeridianSection, TruncatesASharpEdge)
 {
   // The wedge at the edge is 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point the foot is 4
-  // mm thick.
+  // mm thick. The edge is cut off where the wedge is a twentieth as thick, 0.2 mm.
   const MeridianSection section(in_millimetres(
     { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
   EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, ulps(16, 0.03));
@@ -189,7 +189,7 @@ TEST(DrawnProfile, MeshFillsThePolygon)
   EXPECT_NEAR(dealii::GridTools::volume(solid, dealii::MappingQ<3>(3)) / volume, 1, 5e-3);
 }
 
-TEST(DrawnProfile, SectionOfASolidMeshHasTheAreaOfTheProfile)
+TEST(SectionCells, OfASolidMeshHaveTheAreaOfTheProfile)
 {
   GlassProfile step;
   dealii::Triangulation<3> solid;
@@ -207,8 +207,8 @@ TEST(DrawnProfile, SectionOfASolidMeshHasTheAreaOfTheProfile)
 
 TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
 {
-  // The rim has a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is 0.0417 mm
-  // above the lowest point.
+  // The rim has a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is more than
+  // 0.04 mm above the lowest point.
   std::vector<std::pair<double, double>> points = { { 0, 3 }, { 20, 3 } };
   for (int i = -10; i <= 10; ++i)
     points.emplace_back(30 + 0.2 * i, 3 - std::sqrt(9 - 0.04 * i * i));

@@ -34,7 +34,8 @@ inline std::string gmsh_text(const dealii::Triangulation<3> &mesh)
   return text.str();
 }
 
-/// Returns hexahedra and quadrilaterals of second order (types 17 and 16) in Gmsh's format 2.2 or 4.1.
+/// Returns the text of a mesh file in Gmsh's format 2.2 or 4.1, with hexahedra and quadrilaterals of second
+/// order (types 17 and 16).
 inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mesh, bool format_4)
 {
   const std::vector<dealii::Point<3>> nodes = nodes_of(mesh, true);
@@ -96,7 +97,8 @@ inline std::string gmsh_text_of_second_order(const dealii::Triangulation<3> &mes
   return text.str();
 }
 
-/// Gives the cells for which @p is_second is true separate nodes, moved by @p shift.
+/// Copies @p mesh to @p split and separates the cells with is_second(centre): they get nodes of their own,
+/// moved by @p shift.
 inline void make_split(const dealii::Triangulation<3> &mesh,
                        const std::function<bool(const dealii::Point<3> &centre)> &is_second,
                        const dealii::Tensor<1, 3> &shift, dealii::Triangulation<3> &split)

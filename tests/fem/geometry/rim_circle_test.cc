@@ -94,8 +94,9 @@ TEST(RimCircle, UsesTheUndersideOnly)
   EXPECT_NEAR(circle->crown_radius, 0.0021, 1e-12);
 }
 
-/// The arc equals a parabola within 2e-4. The errors e = (1, -4, 6, -4, 1) u at five equidistant points are
-/// orthogonal to every parabola and do not change the fit. Their sum of squares is 70 u^2.
+/// The arc equals a parabola to a relative error of 2e-4. The errors e = (1, -4, 6, -4, 1) u at five
+/// equidistant points are orthogonal to every parabola and do not change the fit. Their sum of squares is 70
+/// u^2.
 TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
 {
   constexpr double crown = 0.1, u = 1e-7, mm = 1e-3;

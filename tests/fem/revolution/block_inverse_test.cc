@@ -15,8 +15,8 @@ using stemware::fem::SingleThread;
 namespace
 {
 
-/// Returns the five-point Laplacian on n x n points, with @p shift added to the diagonal. Its factors are
-/// dense.
+/// Returns the lower triangle of the five-point Laplacian on n x n points, with @p shift added to the
+/// diagonal. Its factors are dense.
 LowerTriangle membrane(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -48,8 +48,8 @@ Eigen::MatrixXd columns_of_inverse(const LowerTriangle &lower, const std::vector
 
 } // namespace
 
-// The matrix is large enough for a factorisation by blocks with a BLAS that is not thread-safe. Without a
-// lock, about one run in ten would fail.
+// The matrix is large enough for a factorisation by blocks, which calls a BLAS that is not thread-safe.
+// Without a lock, about one run in ten would fail.
 TEST(BlockInverse, IsThreadSafe)
 {
   const unsigned int n = 110, n_threads = 8, n_rounds = 4, n_kept = 60;

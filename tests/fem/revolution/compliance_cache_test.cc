@@ -44,7 +44,7 @@ TEST(ComplianceCache, ComputesEachComplianceOnce)
   EXPECT_EQ(first->harmonics[1].azimuthal, alone.harmonics[1].azimuthal);
 }
 
-TEST(ComplianceCache, DistinguishesEveryParameter)
+TEST(ComplianceCache, DistinguishesProfilesMaterialsAndOptions)
 {
   ComplianceCache cache;
   const auto standard = foot_of(cache, {}, {}, quick_options());

@@ -15,7 +15,7 @@ namespace
 class EveryDegree : public testing::TestWithParam<unsigned int>
 {
 protected:
-  /// Harmonics 0 and 1 suffice for tests that do not depend on elasticity.
+  /// Returns the compliance for the harmonics 0 and 1 only, for tests that do not depend on elasticity.
   ContactCompliance compliance(const GlassProfile &profile, const MeridianResolution &resolution) const
   {
     return foot_compliance(profile, resolution, { GetParam(), 1 });
@@ -58,7 +58,7 @@ TEST_P(EveryDegree, FlatLandOnAMatHasUniformPressure)
     EXPECT_NEAR(solution.forces(i), weight * surface.node_area(i) / area, 1e-12 * weight);
 }
 
-TEST_P(EveryDegree, FrictionCausesTheSecondHarmonic)
+TEST_P(EveryDegree, SecondHarmonicDueToFrictionAgreesWithCalculiX)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();

@@ -114,7 +114,7 @@ public:
   Eigen::Vector3d motion_increment;
 };
 
-/// The foot is small enough for dense matrices. Parameter: friction coefficient.
+/// Foot with few enough contact nodes for dense matrices. Parameter: friction coefficient.
 class SmallFoot : public testing::TestWithParam<double>
 {
 protected:
@@ -180,7 +180,7 @@ TEST_P(SmallFoot, ConvergesToTheDenseSolution)
   }
 }
 
-TEST(BodyOfRevolution, RefusesInsufficientLinesAndDegrees)
+TEST(BodyOfRevolution, RefusesInvalidLinesDegreesSumsAndFriction)
 {
   const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
   EXPECT_THROW(RevolutionCase(GlassProfile(), compliance, 32), std::invalid_argument);

@@ -9,9 +9,9 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-/// Reference: ellipse of Hertz by quadrature, R_y / R_x = (k^2 E - K) / (K - E), b^3 = 3 P E(e) R' / (pi k
-/// E*).
-TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
+/// Reference: Hertz ellipse with the semi-axes b and k b under the force P. R_y / R_x = (k^2 E - K) / (K - E)
+/// and b^3 = 3 P E R' / (pi k E*), with the complete elliptic integrals K and E by quadrature.
+TEST(HardTable, CrestWidthAgreesWithTheHertzEllipse)
 {
   constexpr double slenderness = 300;
   constexpr int n_points = 100000;
@@ -32,7 +32,7 @@ TEST(HardTable, CrestsAgreeWithTheWidthOfTheHertzEllipse)
   setup.imperfection.table = { { 5, 0.8 * 0.03 * 0.03 / along / 25, 0 } };
   const double compliance = (1 - 0.22 * 0.22) / 70e9;
   const double cube =
-    // Each of three crests is under a third of the weight.
+    // 3 P is the weight, because each of the three crests bears a third of it.
     weight * second * compliance / (pi * slenderness * (1 / across + 1 / along));
   EXPECT_NEAR(crest_half_width(setup, weight) / std::cbrt(cube), 1, 1e-6);
   const double even = hertz_half_width(setup, weight), crest = crest_half_width(setup, weight);
@@ -127,7 +127,7 @@ TEST(RevolutionFoot, StatesStayValidAfterTheNextSolve)
     const ContactLoad sums = harmonics_of(foot.point_forces(first), 4);
     for (unsigned int n = 0; n <= 4; ++n)
     {
-      // Pressure points and nodal forces differ by the tolerance of the equilibrium.
+      // The harmonics of point_forces() and of the nodal forces agree to the equilibrium tolerance.
       EXPECT_NEAR(sums.a(n), first.load.a(n), 1e-9 * first.load.a(0)) << n;
       EXPECT_NEAR(sums.b(n), first.load.b(n), 1e-9 * first.load.a(0)) << n;
     }

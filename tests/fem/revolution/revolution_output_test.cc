@@ -24,7 +24,7 @@ VtuFile picture_of(MeshedRevolutionFoot &foot, const ContactState &state)
   const std::vector<FieldFile> files = foot.fields(state);
   EXPECT_EQ(files.size(), 1u);
   EXPECT_EQ(files.front().name, "contact.vtu");
-  // ParaView's parser fails on raw bytes.
+  // The file must be plain XML, because ParaView's parser fails on raw bytes.
   std::istringstream text(files.front().text);
   boost::property_tree::ptree tree;
   EXPECT_NO_THROW(boost::property_tree::read_xml(text, tree));
@@ -36,8 +36,8 @@ Eigen::Vector3d vector_at(const std::vector<double> &values, std::size_t point)
   return { values[3 * point], values[3 * point + 1], values[3 * point + 2] };
 }
 
-/// Returns the integrals of a scalar times 1, x and y over a horizontal plane of lower faces of quadratic
-/// cells.
+/// Returns the integrals of a scalar times 1, x and y over the plane z = @p height, which consists of lower
+/// faces of quadratic cells.
 Eigen::Vector3d integral_over_plane(const VtuFile &file, double height,
                                     const std::function<double(std::size_t point)> &value)
 {

@@ -46,7 +46,7 @@ struct OvalFoot
 };
 } // namespace
 
-TEST(LinearSolver, AggregationAgreesWithTheFactorisation)
+TEST(LinearSolver, AggregationMultigridAgreesWithTheFactorisation)
 {
   const FootResolution resolution = { 48, 4, 4, 0 };
   OvalFoot direct(resolution, TestSolver::factors, 1);

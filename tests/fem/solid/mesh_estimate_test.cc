@@ -79,7 +79,7 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// Uses halved elements of degree 4, with an error of 1e-8.
+/// Returns the goal on a body of revolution, with elements of degree 4 on a mesh refined once (error 1e-8).
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;
@@ -132,15 +132,15 @@ TEST(MeshEstimate, EqualsTheErrorOnACoarseMesh)
   EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
 }
 
-TEST(MeshEstimate, EqualsTheErrorWithFrictionAndLinearElementsLong)
+TEST(MeshEstimate, EqualsTheErrorWithFrictionOrLinearElementsLong)
 {
   for (const auto &[degree, friction] : { std::pair(2u, 0.3), { 1u, 0. } })
     EXPECT_NEAR(ratio_on({ 48, 2, 1 }, degree, friction), 1, 0.2) << "degree " << degree;
 }
 
-// With the stiff spring of a hard table, a single Newton step would underestimate the error. Reference: cubic
-// elements graded towards the inner edge of the land and the corners, with an error of 2e-6.
-TEST(MeshEstimate, EqualsTheErrorUnderAHardFlatLandLong)
+// With the stiff penalty law of a hard table, an estimate from a single Newton step would be too small.
+// Reference: cubic elements graded towards the inner edge of the land and the corners, with an error of 2e-6.
+TEST(MeshEstimate, EqualsTheErrorOfAFlatLandOnAHardTableLong)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();
@@ -197,7 +197,8 @@ TEST(MeshEstimate, MarksWholeRingsOfCells)
   EXPECT_GT(n_whole, 0u);
 }
 
-// With 8 sectors, the sagitta of the chords exceeds the width of the cells at the inner side of the land.
+// With 8 sectors, the sagitta of the chords exceeds the width of the cells at the inner side of the land, so
+// refined cells are inverted.
 TEST(MeshEstimate, RefusesInvertedRefinedCells)
 {
   const GlassProfile profile = profile_of(GlassShape::step);

@@ -1,4 +1,4 @@
-// The load of a wavy foot depends on the direction of the moment.
+// The load of a wavy foot depends on its orientation relative to the moment.
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/load/constants.h"
@@ -14,7 +14,7 @@ using stemware::ring::pi;
 using namespace stemware::fem_tests;
 using stemware::test::TemporaryFile;
 
-TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionInEveryDirection)
+TEST(SolidFoot, AgreesWithAWavyBodyOfRevolutionAtThreeOrientations)
 {
   const WavinessHarmonic lobes = { 3, 1e-6, 0.4 };
   const GlassProfile profile = flat_profile();
