@@ -44,8 +44,8 @@ void dense_eigen(benchmark::State &state)
   }
 }
 
-/// Times Newton's linear systems of one contact line per SIMD lane, with range(0) circles per line and the
-/// identity as tangent.
+/// Times the solution of Newton's linear systems. Each SIMD lane has one contact line with range(0) circles
+/// and the identity as tangent.
 void lines_stemware(benchmark::State &state)
 {
   const Eigen::Index n = state.range(0);

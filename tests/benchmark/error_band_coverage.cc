@@ -1,11 +1,11 @@
 // Checks the error bands of `stemware run` on random studies of seed SEED. Each study is compared with a
 // finer reference, which does not use the refinement levels of the band:
-//   axes      one axis at a time is refined, the other axes keep the study's values, and the changes are
-//             added: contact cells and corner cells 1/8 of the size, a higher degree, 8 times the azimuth
-//             lines, 4 times the elastic harmonics and the harmonics of the load, a spring 100 times
-//             stiffer for a hard interface, sums over points instead of rings
-//   together  all axes are refined at once: cells 1/4 of the size, 4 times the lines and harmonics, the
-//             stiffer spring, and sums over points
+//   axes      the study plus the sum of the changes due to each single refinement: contact cells and corner
+//             cells of 1/8 of the size, a higher degree, 8 times the azimuth lines, 4 times the elastic
+//             harmonics, 96 harmonics of the load, a spring 100 times stiffer for a hard interface, sums over
+//             points instead of rings
+//   together  the study with all refinements at once: cells of 1/4 of the size, 4 times the lines and
+//             elastic harmonics, 96 harmonics of the load, the stiffer spring, and sums over points
 //   converge  the reference of `together`; the bands of `stemware converge` are checked, too
 // Wavy rims and tables are excluded. Build: cmake --preset bench && cmake --build --preset bench
 // Run for the studies FIRST ... N:
@@ -91,8 +91,8 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   study.contact.refinements += 1;
   Discretisation mesh;
   mesh.fineness *= std::ldexp(1, static_cast<int>(n_halvings) - 1);
-  // Without a focus (flat land, compliant interface), `fineness` halves all cells, so the contact cells are
-  // marked for further halvings.
+  // The mesh of a flat land on a compliant interface is not graded towards the contact: `fineness` refines
+  // all cells equally. The contact cells are therefore marked for further local refinement.
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {

@@ -9,9 +9,10 @@
 // flat land of 2 mm), shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0, exact=
 // (known reference value instead of a body of revolution), goal=a2|spin.
 //
-// goal=spin: terminal spin of a study with this foot. The moment follows from the moment balance, with a hand
-// offset=1.6 times as far from the centre of mass as usual (moment= is ignored). friction=0 switches the
-// deformation by friction off; mu keeps its default. The first mesh is the study's (uniform= is ignored).
+// goal=spin: terminal spin of a study with this foot. The moment is computed from the moment balance (moment=
+// is ignored). offset=1.6: factor on the default distance of the hand from the centre of mass. friction=0
+// switches the deformation by friction off; mu keeps its default. The first mesh is the study's (uniform= is
+// ignored).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
@@ -139,8 +140,8 @@ ContactGoal second_harmonic(const Case &study)
   return goal;
 }
 
-/// Returns the value of a body of revolution of degree 4 with half the usual cell size, smaller at re-entrant
-/// edges.
+/// Returns a_2 / a_0 of a body of revolution of degree 4 with half the usual cell size, and smaller cells at
+/// re-entrant edges.
 double truth(const Case &study)
 {
   RevolutionSetup setup = study.revolution;

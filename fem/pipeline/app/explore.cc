@@ -25,7 +25,8 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// Rigid table of pages. A study file for `run` states these entries itself.
+/// Additional preset of pages: a rigid table. For `stemware new` there is no such preset, because two entries
+/// suffice.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},

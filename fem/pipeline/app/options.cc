@@ -30,7 +30,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Refuses an empty name: it usually results from an unset shell variable and does not mean the default.
+/// Returns an error message for an empty name, which usually results from an unset shell variable and does
+/// not mean the default study. Returns an empty text for other names.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()
@@ -38,7 +39,8 @@ std::string why_no_study(const std::string &text)
            : "";
 }
 
-/// Refuses a blank name, because a directory listing would not show the folder.
+/// Returns an error message for a blank name, because a directory listing would not show the folder. Returns
+/// an empty text for other names.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos

@@ -45,8 +45,8 @@ std::vector<std::string> options_of(const CLI::App &verb)
   return names;
 }
 
-/// Returns the error of an unknown @p word, up to "see", with a close known word. Callers append the
-/// reference.
+/// Returns the error message for an unknown @p word. It suggests a similar known word, if there is one, and
+/// ends with "see"; the caller appends a reference.
 std::string not_known(const std::string &word, const std::vector<std::string> &known,
                       const std::string &otherwise)
 {
@@ -162,7 +162,8 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  // deal.II's own threads would compete with those of the study, and sums would depend on the machine.
+  // deal.II's own threads would compete with the threads of the study. The rounding of sums would depend on
+  // the number of cores.
   dealii::MultithreadInfo::set_thread_limit(1);
   std::signal(SIGXFSZ, SIG_IGN); // a write beyond `ulimit -f` then fails instead of ending the program
   std::optional<MpiSession> mpi; // destroyed last, after all users of MPI

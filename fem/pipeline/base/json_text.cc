@@ -15,7 +15,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum nesting level, because values are printed, compared and copied recursively.
+/// Maximum nesting level. Values are printed, compared and copied recursively, so deep nesting could overflow
+/// the stack.
 constexpr int max_levels = 100;
 
 /// Returns the location of the byte @p place (counted from 0), e.g. "line 3, column 7".

@@ -62,7 +62,7 @@ Json document_of(const Results &results, const Json &summary = Json::object())
   return { { "summary", summary }, { "words", results.words }, { "tables", results.tables } };
 }
 
-/// Returns a subset of the document of `run`, with equal names.
+/// Returns a part of the document of `stemware run`, with the same keys.
 Json answer_document(const LiveAnswer &found)
 {
   const Study &study = explorer->study();
@@ -95,7 +95,7 @@ Json answer_document(const LiveAnswer &found)
   return document_of(results, summary);
 }
 
-/// Returns a failure as JSON. Implausible values are its likely cause.
+/// Returns a failure as JSON, with notes on implausible values, which are its likely cause.
 Json failure_of(const std::string &message, bool tips)
 {
   return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };

@@ -132,7 +132,8 @@ Study study_of(const PageOptions &options, const Preset *glass, const Preset *ta
   return study;
 }
 
-/// Returns the entries that differ from the defaults. Motion/Hand height determines Motion/Force offset.
+/// Returns the entries that differ from the defaults, without Motion/Force offset, which follows from
+/// Motion/Hand height.
 std::vector<std::pair<std::string, std::string>> values_of(const std::vector<StudyEntry> &own)
 {
   std::vector<std::pair<std::string, std::string>> values;
@@ -157,7 +158,7 @@ ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
-/// Returns the answer of the page: of an Explorer with the quantised compliances.
+/// Returns the answer that the page will compute, by an Explorer with the quantised compliances.
 ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
@@ -216,7 +217,8 @@ Json buttons(const std::vector<Preset> &presets, const std::string &own)
   return list;
 }
 
-/// Returns a single nullptr, which means the study's own glass or table, if there are no presets.
+/// Returns pointers to @p presets. If there are none, returns a single nullptr, which means the study's own
+/// glass or table.
 std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
 {
   std::vector<const Preset *> list;
@@ -225,8 +227,8 @@ std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
   return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
 }
 
-/// Maximum error of an answer due to quantisation [rad/s]. Other slider settings may have ten times the
-/// error.
+/// Maximum error of a pair's terminal spin due to quantisation [rad/s], before a slider is moved. At other
+/// slider settings, the error may be ten times as large.
 constexpr double tolerance = 1e-11;
 
 /// Contact radii of additional feet on elastic tables, relative to the contact radius of the study.

@@ -190,7 +190,8 @@ void require_a_pressure(const RingStack &load, double omega)
                            " N m at most, at the outermost ring; lower the hand or the speed"));
 }
 
-/// Returns the terminal spin, all balances, torque at rest [N m], spin unit v / R [rad/s] and spin-up.
+/// Returns the terminal spin, the list of all terminal spins (empty unless @p all is true), torque at rest [N
+/// m], spin unit v / R [rad/s] and spin-up.
 py::tuple answer_about(const py::object &given, const Motion &motion, double grip_torque, bool all,
                        const Row &times)
 {
@@ -223,7 +224,8 @@ py::array motion_of(const PhasedTorqueFunction &torque, double yaw_inertia, cons
     [&] { return yaw_motion(at, yaw_inertia, initial_spin, times, accuracy, spin_scale, grip_torque); }));
 }
 
-/// The translator that is registered last (BalanceLost) is called first.
+/// Registers the exceptions of the module. If several translators match, the translator that is registered
+/// last (BalanceLost) is called.
 void bind_failures(py::module_ &m)
 {
   py::register_exception<std::invalid_argument>(m, "BadInput", PyExc_ValueError).doc() =

@@ -126,7 +126,7 @@ struct Found
 
   std::string document() const { return dump_utf8(summary_of(verb, results)); }
 
-  /// Writes the results that `stemware` would write, to @p folder.
+  /// Writes the result files to @p folder, as the program `stemware` does.
   void save(const std::string &folder) const
   {
     StudyOptions options;
@@ -278,7 +278,8 @@ void translate(const py::object &raised)
     });
 }
 
-/// If several translations match, the translation that was registered last is used.
+/// Registers the exceptions of the module, base classes first. If several translations match, the translation
+/// that was registered last is used.
 void bind_failures(py::module_ &m)
 {
   const py::module_ ring = py::module_::import("stemware._ring");

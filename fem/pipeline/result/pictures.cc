@@ -48,7 +48,8 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
            { "has_edge", footprint.has_edge } };
 }
 
-/// Returns the friction torque about the axis at @p place, divided by mean friction and radius.
+/// Returns the friction torque about the axis per angle at @p place, divided by the radius and by the
+/// friction of the mean load.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);

@@ -135,7 +135,8 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   return text;
 }
 
-/// States error bands above a tenth of the value. The bands at rest are used at every spin.
+/// Describes the contact in @p state. An error band is added only if it exceeds a tenth of the value. The
+/// bands computed at rest are used at every spin.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
   if (!load.peak_pressure)

@@ -19,10 +19,11 @@ struct QuantityRange
   Quantity quantity;
   std::size_t n; ///< number of cases with a value
   double min, max;
-  std::string min_case, max_case; ///< if all values are equal to 1e-9, both are "all n cases"
+  std::string min_case, max_case; ///< both are "all n cases" if the values are equal to within 1e-9
 };
 
-/// Omits cases with a tensile load (status formal) and quantities without a heading or a value.
+/// Returns the ranges of all quantities that have a heading and at least one value. Cases with a tensile load
+/// (status formal) are omitted.
 std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
   std::vector<QuantityRange> ranges;

@@ -15,8 +15,8 @@ using format::number;
 namespace
 {
 
-/// Returns the smallest number of harmonics from which on the terminal spin differs by less than @p share
-/// from the spin of the last row (all harmonics).
+/// Returns the smallest number of harmonics from which on the relative difference between the terminal spin
+/// and the spin of the last row (all harmonics) is at most @p share.
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;
@@ -29,7 +29,8 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
   return enough;
 }
 
-/// Returns the answer in words. With @p n_enough harmonics, the spin is exact to 1e-4.
+/// Returns the answer in words. @p n_enough: number of harmonics with which the spin is accurate to 1e-4 of
+/// its value.
 std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
   const Study &study = answer.study;

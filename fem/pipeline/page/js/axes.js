@@ -80,7 +80,7 @@ export function scale(axis, found, from, to) {
   });
 }
 
-/** Returns two scales with equal lengths in both directions. */
+/** Returns two scales with the same length per unit in both directions. */
 export function same_step(X, Y, box) {
   const [width, height] = [box.right - box.left, box.bottom - box.top];
   const step = Math.max((X.range[1] - X.range[0]) / width, (Y.range[1] - Y.range[0]) / height);

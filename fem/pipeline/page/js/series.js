@@ -18,7 +18,7 @@ export function pressing({ summary: { load }, tables, words }) {
   if (!load?.a) return {};
   const sense = words.sketch.clockwise ? -1 : 1;
   const side = (sense * turn) / 4;
-  // With lift-off, the truncated series oscillates about zero outside the contact.
+  // With lift-off, the truncated series oscillates about zero outside the contact; negative values are set to 0.
   const at = angle => Math.max(tables.load_lines ? 0 : -Infinity, value_of(load, angle)) / load.ring_radius;
   const [, b1 = 0] = load.b;
   const turns = Math.abs(b1) > 1e-9 * load.a[0] ? Math.sign(b1) : 0;

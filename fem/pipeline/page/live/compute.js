@@ -8,7 +8,7 @@ let solver,
 export async function begin(given) {
   ({ data, bodies } = given);
   const module = await WebAssembly.compile(given.wasm);
-  const imports = {}; // the library uses the system only to grow its memory and to exit
+  const imports = {}; // stubs: the library calls the system only to grow its memory and to exit
   for (const { module: from, name } of WebAssembly.Module.imports(module)) (imports[from] ||= {})[name] = () => 0;
   solver = (await WebAssembly.instantiate(module, imports)).exports;
   solver._initialize();

@@ -4,7 +4,10 @@ import { csv, label_of } from '../js/words.js';
 import { download } from '../js/dom.js';
 import { extra_of } from '../js/files.js';
 
-/** Points of all curves: picture, curve, meaning of x and y, x, y, and the heading and value of a colour or band. */
+/**
+ * Downloads the points of all curves as CSV: picture, curve, meaning of x and y, x, y, and the heading and value of a
+ * colour or band.
+ */
 export function save_curves(drawn) {
   const rows = [...drawn].flatMap(({ id, x, y, marks }) =>
     marks.flatMap(mark => {

@@ -24,8 +24,8 @@ export const shows = part => !state.lesson || scene_parts.indexOf(part) < at_ste
 /** Returns the side with the larger load at rest: 0 outside, 1 inside, 2 equal. */
 const side = () => ['outside', 'inside', 'even'].indexOf(pressing(doc).harder);
 /**
- * Returns the direction of the torque at rest: 0 against the orbit, 1 with it, 2 none. Without a computed torque, it
- * follows from the side with the larger load.
+ * Returns the direction of the torque at rest: 0 against the orbit, 1 with the orbit, 2 no torque. If no torque was
+ * computed, the side with the larger load determines the direction.
  */
 function way() {
   const torque = doc.summary.ring.tau_at_rest;

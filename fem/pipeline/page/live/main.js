@@ -70,7 +70,7 @@ const queue = new Queue({
     if (name === 'budget') facts(queue.times[queue.times.length - 1]);
   },
   rest: () => {
-    if (!found.has_curves) draw_curves(); // without curves in time, the scene shows one instant
+    if (!found.has_curves) draw_curves(); // if no curves were computed in time, the scene shows one instant
     draw(calm.filter(name => !drawn.has(name)));
   }
 });

@@ -47,7 +47,7 @@ export function load_entries() {
   entries = {};
   for (const path in data.entries) entries[path] = { value: data.entries[path], acts: pair().acts.includes(path) };
   for (const [path, value] of pair().values) entries[path].value = value;
-  if (!is_changed(offset)) return; // the address does not change it
+  if (!is_changed(offset)) return; // the address of the page has no force offset
   state.changes[hand] = String(rounded(value_of(centre) + value_of(offset)));
   delete state.changes[offset];
 }
@@ -98,7 +98,7 @@ export function remember() {
   try {
     history.replaceState(null, '', address);
   } catch {
-    location.hash = address; // embedded page
+    location.hash = address; // in an embedded page, replaceState() may fail
   }
 }
 

@@ -8,9 +8,9 @@ const colours = ['c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'ink', 'c8'];
 const dashes = [undefined, '8 4', '9 3 2 3', '3 3', '12 3', '9 3 2 3 2 3', '6 3', '2 2'];
 
 /**
- * Returns true if a curve jumps between the values i and i + 1: over one or two intervals, each with a change of more
- * than four times the change of the intervals to the left and to the right. The jump has two intervals if the spin
- * changes its sense and is zero in its middle. No line is drawn over a jump.
+ * Returns true if a curve jumps between the values i and i + 1. No line is drawn over a jump. In the one or two
+ * intervals of a jump, the value changes more than four times as much as in the intervals to the left and to the right.
+ * A jump has two intervals if the spin changes its sense and is zero at a value in between.
  */
 function jumps(y, i) {
   const step = j => (y[j] === null || y[j + 1] === null ? NaN : Math.abs(y[j + 1] - y[j]));
@@ -18,7 +18,7 @@ function jumps(y, i) {
     if (first <= 0 || first + n + 1 >= y.length) return false;
     const beside = Math.max(step(first - 1), step(first + n));
     const least = Math.min(step(first), step(first + n - 1));
-    return least > 4 * beside && beside > 1e-9 * least; // excludes rounding errors next to a step
+    return least > 4 * beside && beside > 1e-9 * least; // no jump between values that are constant except for rounding
   };
   return jumps_over(i, 1) || jumps_over(i, 2) || jumps_over(i - 1, 2);
 }

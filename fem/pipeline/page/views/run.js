@@ -147,7 +147,7 @@ function glasses(doc) {
   const { ring, load, load_at_terminal, load_at_fall, budget } = doc.summary;
   const { paper } = columns(doc.tables.spin_up);
   const [before, last] = [paper[Math.floor(0.9 * paper.length)], paper[paper.length - 1]];
-  const is_over = paper.length > 10 && Math.abs(last - before) <= 1e-2 * Math.abs(last); // the spin-up of the paper's model
+  const is_over = paper.length > 10 && Math.abs(last - before) <= 1e-2 * Math.abs(last); // the paper's spin-up has ended
   const omega = budget?.[0].omega_terminal ?? (is_over ? last : null);
   const this_load = around(load_at_terminal || load_at_fall || load, 72);
   return [
