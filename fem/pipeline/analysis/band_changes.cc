@@ -20,7 +20,7 @@ namespace
 /// with twice the cell size equals the error, so the factor adds a margin of 25 %.
 constexpr double usual_factor = 1.25;
 
-/// Safety factor for add_lines(): the larger of its two changes may be only half of the error.
+/// Safety factor for the two changes of add_lines(): the larger change may be only half of the error.
 constexpr double factor_of_lines = 2.5;
 
 /// Minimum number of elastic harmonics for a comparison of meshes.
@@ -121,8 +121,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     fewer = with_harmonics(n_harmonics / 2);
     changes.push_back(change_of(from, 0.5, fewer));
   }
-  // Meshes are compared using a quarter of the elastic harmonics only: a change of mesh has the same relative
-  // effect on the higher harmonics.
+  // To save time, meshes are compared with only a quarter of the elastic harmonics: a change of mesh has the
+  // same relative effect on the higher harmonics.
   if (n_harmonics >= 4 * min_harmonics)
   {
     from = "few harmonics";
@@ -149,8 +149,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
       changes);
   if (study.table.is_hard())
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
-  // Three numbers of rings: if the slip vanishes between two rings, the error has either sign, and a single
-  // change could vanish by chance.
+  // The study is compared with three other numbers of rings: if the slip vanishes between two rings, the
+  // error has either sign, and a single change could vanish by chance.
   const auto n_rings = static_cast<unsigned int>(foot.ring_radii().size());
   add_ring_projections(own, foot, { 2 * n_rings, 2 * n_rings + 1, 4 * n_rings }, changes);
   return changes;

@@ -53,8 +53,8 @@ fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisati
   return mesh;
 }
 
-/// Returns the linear solver of @p study. If the study needs one or two contact solves only, `automatic`
-/// means multigrid: a condensation costs about as much as four solves by multigrid.
+/// Returns the linear solver of @p study. If the study needs only one or two contact solves, `automatic` is
+/// replaced by multigrid, because a condensation costs about as much as four solves by multigrid.
 fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
 {
   const ContactSection &contact = study.contact;

@@ -100,7 +100,7 @@ void require_able_body(const ContactSection &contact, const TableSection &table)
                   std::to_string(contact.azimuth_lines) }));
 }
 
-/// Refuses a mat that is so stiff that its results equal those of a hard table up to rounding.
+/// Refuses a mat so stiff that the results equal the results on a hard table up to rounding.
 void require_mat_that_yields(const TableSection &table, const GlassSection &glass)
 {
   constexpr double most = 1e8;

@@ -41,7 +41,7 @@ function band_of(load, size, sense) {
   return s('path', { d: `M${points.join('L')}Z`, fill: 'var(--c1)', 'fill-opacity': 0.35 });
 }
 
-/** Returns the text of the time of one turn. */
+/** Returns the time of one turn as text. */
 const turns_of = (omega, spins) =>
   spins ? say(t.turns, shown(turn / Math.abs(omega), '#.3g')) : omega === null ? t.none : t.still;
 
