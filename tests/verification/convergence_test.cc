@@ -53,8 +53,8 @@ double distance_from_calculix(const ContactLoad &load)
 
 TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
 {
-  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). The harmonics therefore
-  // converge like h^(2 lambda) for any degree.
+  // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). On fine meshes of any
+  // degree, the harmonics therefore converge like h^(2 lambda).
   std::vector<std::vector<ContactLoad>> loads;
   for (const unsigned int degree : { 1u, 2u, 3u })
     loads.push_back({ solve(0, degree), solve(1, degree), solve(2, degree) });

@@ -122,7 +122,8 @@ struct Cylinder
 
 } // namespace
 
-/// Closed form: u = grad(r^n cos(n theta)) has neither divergence nor curl, so no material needs forces.
+/// Closed form: u = grad(r^n cos(n theta)) has zero divergence and zero curl, so every isotropic material is
+/// in equilibrium without body forces.
 TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
 {
   for (const unsigned int n : { 2u, 3u, 4u, 5u })
@@ -143,7 +144,7 @@ TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
 }
 
 /// Closed form: u = grad(z r^n cos(n theta)), which shears the meridian.
-TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoForces)
+TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoBodyForces)
 {
   for (const unsigned int n : { 1u, 2u, 3u, 4u })
   {

@@ -80,9 +80,9 @@ struct TangentialCompliance
 
 /// Returns the compliance of a half-space below the plane (z upwards) under unit tractions, n >= 1. Cerruti:
 /// a force Q along x displaces the surface by u_z = -(1 - 2 nu) / (4 pi G) Q x / rho^2 (Johnson, eq. 3.7).
-/// Because x / rho^2 is the gradient of ln rho with the harmonics -(pi / n) (smaller / larger radius)^n, the
-/// ring of radius s gives (1 - 2 nu) / (4 G s) times (r/s)^n (f_r + f_theta) for r < s and (s/r)^n (f_theta -
-/// f_r) for r > s.
+/// Here x / rho^2 is the derivative of ln rho along x, and ln rho has the azimuthal harmonics -(pi / n)
+/// (smaller / larger radius)^n. A ring of radius s therefore displaces the surface by (1 - 2 nu) / (4 G s)
+/// times (r/s)^n (f_r + f_theta) for r < s and (s/r)^n (f_theta - f_r) for r > s.
 inline TangentialCompliance tangential_compliance(unsigned int n, Band loaded, Band seen,
                                                   const ElasticMaterial &material)
 {

@@ -1,6 +1,6 @@
-// A rigid flat land on a thin bonded layer settles like a strip, because the compliance of the hard interface
-// is negligible. Reference: tests/verification/strip_on_a_layer.py. The land is a fiftieth of the radius
-// wide, so the curvature of the ring changes the settlement by 1e-4.
+// A rigid flat land on a bonded layer settles like a straight strip: the width of the land is a fiftieth of
+// the radius, so the curvature of the ring changes the settlement by 1e-4 only. The compliance of the hard
+// interface is negligible. Reference: tests/verification/strip_on_a_layer.py.
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"

@@ -50,7 +50,7 @@ TEST(RigidTable, FlatLandWithLiftOffAgreesWithCalculiX)
   EXPECT_EQ(n_compared, 4u);
 }
 
-TEST(YieldingTable, RigidFootAgreesWithPlainSums)
+TEST(CompliantTable, RigidFootAgreesWithPlainSums)
 {
   const double modulus = 1e10, pressure_at_touch = 1e9, decay = 1e-6;
   PlainRigidFoot on_mat = PlainRigidFoot::on_mat(modulus), on_rough;
@@ -83,7 +83,7 @@ TEST(YieldingTable, RigidFootAgreesWithPlainSums)
 }
 
 // Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. The
-// harmonic is so high that its displacements do not reach the stem or the bottom of the disc. The remaining
+// displacements of harmonic 2 decay before they reach the stem or the bottom of the disc. The remaining
 // coupling is a mesh error of the foot and decreases with refinement.
 TEST(Friction, DoesNotCoupleEqualHalfSpaces)
 {

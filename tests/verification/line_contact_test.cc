@@ -42,7 +42,7 @@ double half_space_eigenvalue(unsigned int n, double slenderness)
 }
 
 /// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0 by
-/// Newton's method. L = 2 ln(16 R / b_0) + 1; S has the eigenvalues of the harmonics.
+/// Newton's method. L = 2 ln(16 R / b_0) + 1; S multiplies harmonic n by half_space_eigenvalue(n).
 class LineContact
 {
 public:
@@ -139,7 +139,7 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.table = { std::make_shared<HardInterface>(), substrate };
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
-  setup.fineness = 4; // cells of b / 16; cells of b / 4 would give a_2 = 0.007 a_0 an error of 2e-4 a_0
+  setup.fineness = 4; // cells of b / 16; with cells of b / 4, a_2 = 0.007 a_0 has an error of 2e-4 a_0
   static ComplianceCache cache;
   MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;

@@ -151,8 +151,8 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// A spot on the axis of the top is fixed. Its reaction vanishes, because pressure and contact force are in
-/// equilibrium.
+/// Makes the section of the punch. A spot on the axis of the top is fixed; its reaction vanishes, because
+/// pressure and contact force are in equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {
   const double spot = cells.on_punch.front();
@@ -214,8 +214,8 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
 /// Punch pressed on the disc. M is the point on the axis at the top of the disc.
 struct PressedPunch
 {
-  /// @p smallest: cell length at the contact edge [m]. @p modulus: stiff spring that approximates the hard
-  /// interface [Pa/m].
+  /// @p smallest: cell length at the contact edge [m]. @p modulus: foundation modulus of a stiff mat that
+  /// approximates the hard interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;
@@ -282,7 +282,7 @@ TEST(NafemsPunch, FineMeshesConvergeToTheBenchmark)
   EXPECT_LT(deviation(punch.force, PunchParameters().normal_force()), 1e-12);
   EXPECT_LT(deviation(coarser.displacement, punch.displacement), 6e-4);
   EXPECT_LT(deviation(coarser.stress, punch.stress), 1e-3);
-  // The stress in the disc at M equals the contact pressure.
+  // The stress in the disc at M equals minus the contact pressure.
   EXPECT_LT(deviation(punch.stress, -punch.pressure(0)), 5e-5);
   EXPECT_LT(deviation(PressedPunch(2.5e-4, 1e18).displacement, punch.displacement), 2e-5);
   EXPECT_NEAR(punch.contact_radius, 0.0402, 2e-4);

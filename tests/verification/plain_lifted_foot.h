@@ -162,8 +162,8 @@ struct LiftedFoot
   private:
     static constexpr unsigned int n_azimuths = 1440;
 
-    /// Calls visit at Gauss points graded like x^3 towards both ends, because roots and kinks lie at the
-    /// ends.
+    /// Calls visit at Gauss points graded like x^3 towards both ends, because the integrand has square roots
+    /// and kinks at the ends.
     template <typename Visitor>
     static void for_graded(double from, double to, const Visitor &visit)
     {

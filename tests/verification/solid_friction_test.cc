@@ -70,7 +70,7 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   {
     ContactDemand demand = load_at(0.8, 0.3);
     demand.n_harmonics = 8;
-    demand.tilt_moment = 0.1 * weight; // with a tilt moment, the conditions are not prescribed resultants
+    demand.tilt_moment = 0.1 * weight; // with a tilt moment, the required moments depend on the tilt
     const stemware::ring::Slip slip = { -10, {} };
     const ContactState state = solid_foot(given, { 24, 2, 1, 1 }, solver).solve(demand, slip);
     const ContactState expected = revolution_foot(given).solve(demand, slip);

@@ -22,8 +22,8 @@ std::string axe_script();
 /// overlaps another text, each axis with a single number, and each element that is wider than the page.
 std::string troubles_script();
 
-/// Returns a text of scripts, commands, closing tags, quotes and template marks. A script of the text that
-/// runs sets data-ran of the root element. In a path, the slashes of the text separate folders.
+/// Returns a text of scripts, commands, closing tags, quotes and template marks. If one of the scripts runs,
+/// it sets data-ran of the root element. In a path, the slashes of the text separate folders.
 std::string hostile_text();
 
 /// Runs @p script, the body of an async function, in a page in Chromium and returns its result. Files in @p

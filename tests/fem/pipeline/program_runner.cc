@@ -37,7 +37,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Redirects standard output and error to the files .out and .err in @p folder.
+/// Starts @p command in @p folder, with the files .out and .err as standard output and error. Returns the
+/// process id.
 pid_t start(const std::vector<std::string> &command, const fs::path &folder)
 {
   std::vector<char *> arguments;
@@ -58,7 +59,7 @@ pid_t start(const std::vector<std::string> &command, const fs::path &folder)
   return process;
 }
 
-/// Kills the child process after five minutes. Returns the status of waitpid().
+/// Waits for the child process and returns the status of waitpid(). Kills the process after five minutes.
 int status_of(pid_t process)
 {
   int status = 0;

@@ -15,7 +15,7 @@ namespace stemware::test
 
 struct Ended
 {
-  int exit_code = -1; ///< 128 + number for a signal that killed the program
+  int exit_code = -1; ///< 128 + signal number if a signal killed the program
   std::string out;
   std::string err;
 };
@@ -31,7 +31,8 @@ public:
 
   void send(int signal) const;
 
-  /// Waits for the end; to be called once. Kills the program after five minutes.
+  /// Waits for the end of the program and returns its exit code and output; to be called once. Kills the
+  /// program after five minutes.
   Ended end();
 
 private:
@@ -62,7 +63,7 @@ std::string bad_lines(const std::string &text);
 /// Returns the violations of summary_schema() in a summary, one sentence each.
 std::vector<std::string> departures_from_schema(const nlohmann::json &summary);
 
-/// Expects that the summary satisfies summary_schema().
+/// Returns the summary in @p results. Expects that it satisfies summary_schema().
 nlohmann::json read_summary(const std::filesystem::path &results);
 
 /// Returns the columns of a CSV file, or of a table with columns separated by blanks.

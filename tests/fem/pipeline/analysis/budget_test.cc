@@ -112,7 +112,7 @@ TEST(Budget, SpinScaleFollowsFromTheMoment)
     study.motion.orbit.orbit_speed = speed;
     EXPECT_NEAR(study.spin_scale(), expected(), 1e-12 * expected()) << speed;
   }
-  study.motion.orbit.orbit_speed = 1e-4;
+  study.motion.orbit.orbit_speed = 1e-4; // lower limit of the scale: 1e-6 v/R
   EXPECT_NEAR(study.spin_scale() / (1e-6 * study.spin_unit()), 1, 1e-13);
   study.motion.orbit.force_offset = 0; // the moment vanishes
   EXPECT_EQ(study.spin_scale(), study.spin_unit());
@@ -231,7 +231,8 @@ TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
-      // Each variant lacks one of the eight effects. A rigid body also has no friction effect.
+      // Each variant lacks one of the eight effects. A variant with a rigid body also lacks the deformation
+      // of this body by friction.
       << variant.name;
   study = test::mat_study();
   study.table.interface = TableInterface::hard;

@@ -83,7 +83,7 @@ void expect_refused(const std::function<void()> &action, const std::string &word
   EXPECT_THAT(sentence.back(), testing::AnyOf('.', ')')) << sentence;
 }
 
-TEST(CaseList, RefusesBadGridsInOneSentence)
+TEST(CaseList, NamesTheErrorOfABadGrid)
 {
   for (const auto &[varied, words] : std::vector<std::pair<Values, std::string>>{
          { { "Motion/Mass" }, "is not of the form" },
@@ -106,7 +106,7 @@ TEST(CaseList, RefusesBadGridsInOneSentence)
     expect_refused([&, &varied = varied] { cases_of_grid(varied); }, words);
 }
 
-TEST(CaseList, RefusalOfABadTableNamesLineAndColumn)
+TEST(CaseList, NamesTheErrorOfABadTable)
 {
   const test::ScratchFolder scratch;
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{

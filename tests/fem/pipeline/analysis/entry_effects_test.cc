@@ -31,9 +31,9 @@ struct Effect
 {
   std::string entry; ///< "Section/Entry"
   std::string value;
-  /// Path in summary.json that must change, or "/spin_up.csv"; empty if the entry has no effect.
+  /// Path of the value in summary.json that must change, or "/spin_up.csv"; empty if the entry has no effect.
   std::string changed;
-  EntryValues base = {};  ///< entries that differ from the quick study
+  EntryValues base = {};  ///< entries set in the base study
   std::string stays = {}; ///< path of a number that must not change
 };
 
@@ -120,7 +120,8 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // The rough interface is exponential, so a factor of the pressure only shifts the table.
+  // The pressure of the rough interface is exponential in the penetration. A factor of the reference pressure
+  // is therefore equivalent to a shift of the table and leaves the spin unchanged.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },
   { "Table/Decay length", "2e-6", second_harmonic, rough },
@@ -174,7 +175,8 @@ Json results_of(const Study &study)
   return all;
 }
 
-/// Returns the base study of @p effect, with few harmonics and lines to save time.
+/// Returns the base study of @p effect, with the changed entry if @p with_value. Few harmonics and lines save
+/// time.
 Study study_of(const Effect &effect, bool with_value, const test::ScratchFolder &scratch)
 {
   EntryValues values = { { "Glass/Shape", "step" },
@@ -277,8 +279,8 @@ std::string another_value(const StudyEntry &entry)
   return place == words.end() ? "" : place + 1 == words.end() ? words.front() : *(place + 1);
 }
 
-/// Returns @p effects. Adds for every other entry the effect on the terminal spin in the first base study in
-/// which the entry has an effect.
+/// Returns the list `effects`, and for every other entry one effect on the terminal spin, in the first base
+/// study in which the entry has an effect.
 std::vector<Effect> all_effects()
 {
   std::vector<Effect> all = effects;

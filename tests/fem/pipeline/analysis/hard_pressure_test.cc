@@ -30,8 +30,8 @@ double log_uniform(std::mt19937 &random, double from, double to)
   return std::exp(value_between(random, std::log(from), std::log(to)));
 }
 
-/// Returns a glass on a rigid table or on a thick disc that is stiffer or softer than the glass. A third of
-/// the studies has lift-off.
+/// Returns a random study of a glass on a rigid table or on a thick disc, which is stiffer or softer than the
+/// glass. A third of these studies has lift-off.
 Study random_hard_study(std::mt19937 &random)
 {
   Study study = test::mat_study();
@@ -91,7 +91,8 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     {
       const BandedQuantity &banded = bands[index_of(bands, key)];
       const double value = banded.quantity.value, band = banded.band;
-      // If the maximum line load lies between two azimuth lines, the values change by up to 5e-4.
+      // If the maximum line load lies between two azimuth lines, value and reference differ by up to 5e-4
+      // (relative).
       EXPECT_LE(std::abs(value - right), band + 5e-4 * right)
         << key << " of study " << i << ": " << value << ", Hertz " << right << ", m "
         << study.load.moment_ratio;

@@ -165,7 +165,7 @@ void expect_bands_hold(LiftedState (*draw)(std::mt19937 &), unsigned int seed, u
   ratios.expect_fair_medians();
 }
 
-void expect_limit_at_right_height(unsigned int n_steps)
+void expect_bands_hold_up_to_tipping(unsigned int n_steps)
 {
   Ratios ratios;
   for (unsigned int i = 0; i <= n_steps; ++i)
@@ -202,16 +202,17 @@ TEST(LiftedBands, ContainTheErrorAtTwoRandomCentreOfMassHeights)
 
 TEST(LiftedBands, ContainTheErrorUpToTheTippingHeightLong)
 {
-  expect_limit_at_right_height(20);
+  expect_bands_hold_up_to_tipping(20);
 }
 
 TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
 {
-  expect_limit_at_right_height(1);
+  expect_bands_hold_up_to_tipping(1);
 }
 
-/// At the terminal spin of these states, the slip vanishes inside the contact, so the result converges slowly
-/// with the number of rings. The moment ratios increase from @p smallest_moment in steps of 0.01.
+/// Expects that the error bands hold in states whose slip vanishes inside the contact at the terminal spin.
+/// Their result converges slowly with the number of rings. The moment ratios increase from @p smallest_moment
+/// in steps of 0.01.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;

@@ -45,7 +45,7 @@ TEST(OneNumber, ErrorBandsReferToTheReportedNumbers)
   ASSERT_FALSE(bands.empty());
   for (const auto &[key, band] : bands.items())
   {
-    if (key == "tau_at_spin_2") // this torque is reported only once
+    if (key == "tau_at_spin_2") // this torque is reported in the error bands only
       continue;
     EXPECT_EQ(band["value"].get<double>(), reported.at(key)) << key;
   }
@@ -65,7 +65,7 @@ TEST(OneNumber, TorquesCancelAtTheTerminalSpin)
                grip = ring["grip_torque_at_terminal"];
   EXPECT_EQ(grip, 2e-4); // the grip opposes a clockwise spin
   EXPECT_NEAR(friction + lean + grip, 0, 1e-12);
-  EXPECT_GT(std::abs(lean), 1e-8); // the friction that deforms the foot breaks the symmetry
+  EXPECT_GT(std::abs(lean), 1e-8); // deformation by friction makes the pressure asymmetric
 }
 
 TEST(OneNumber, MomentRatiosReferToTheContactRadius)
@@ -112,8 +112,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
 }
 
 // Within 2e-7 m below the maximum z_CM with a terminal spin, a narrow range of spins has two balances. No
-// verb may jump from one balance to the other.
-TEST(Fall, EveryVerbFindsTippingAtTheSameHeights)
+// command may jump from one balance to the other.
+TEST(Fall, RunTruncateAndSweepFindTippingAtTheSameHeights)
 {
   Study study = mat_study();
   study.glass.material.young_modulus = 2e20;

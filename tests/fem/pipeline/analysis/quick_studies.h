@@ -22,7 +22,7 @@ inline pipeline::Study study_of_given_load()
   return study;
 }
 
-/// The contact takes milliseconds on these few lines and harmonics.
+/// Returns a study with few azimuth lines and harmonics, whose contact is solved in milliseconds.
 inline pipeline::Study quick_contact_study()
 {
   pipeline::Study study = mat_study();
@@ -33,8 +33,8 @@ inline pipeline::Study quick_contact_study()
   return study;
 }
 
-/// The pressure of a flat land on a mat in full contact has no harmonics above the first, if friction does
-/// not deform the foot (docs/theory/load_models.md).
+/// Returns a flat land on a mat in full contact, without deformation by friction. Its pressure has no
+/// harmonics above the first (docs/theory/load_models.md).
 inline pipeline::Study flat_land_on_a_mat(pipeline::LoadCoupling coupling)
 {
   pipeline::Study study = quick_contact_study();

@@ -105,7 +105,7 @@ TEST(RefinementSequence, AssumesFirstOrderForTwoLevels)
   EXPECT_NEAR(judged.bands[0], 2.5 * 0.5, ulps(5, 1));
 }
 
-TEST(RefinementSequence, BandOfADegreeSequenceFollowsFromItsLastDifference)
+TEST(RefinementSequence, BandOfADegreeSequenceFollowsFromItsDifferences)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);

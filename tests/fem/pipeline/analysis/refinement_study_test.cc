@@ -99,7 +99,7 @@ TEST(ErrorBands, ContainTheResultsOfAFourTimesFinerPaperStudy)
   EXPECT_GT(spin.band, std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value));
   EXPECT_LT(spin.band, 1e-5); // the error band is not too wide [rad/s]
 
-  // The order of `converge` is between 1 (re-entrant corners) and 4 (smooth section).
+  // The command `converge` finds a convergence order between 1 (re-entrant corners) and 4 (smooth section).
   std::vector<RefinementAxis> axes = refinement_axes(study, 3);
   const ErrorBands full =
     refine(quantities_of_load(study, comparison.load, spins_of_interest(comparison.omega), comparison.omega),
@@ -151,8 +151,9 @@ TEST(ErrorBands, ContainTheErrorOfARandomStudyOnFewLines)
   expect_band_of_spin_holds(study);
 }
 
-/// The contact cells are small on a hard table, so the error comes from the corners of the step. An error
-/// band from the contact cells only would miss this error.
+/// Expects that the error band includes the error of the corners of the step. On a hard table, the contact
+/// cells are so small that the corners dominate the error. An error band from the contact cells only would be
+/// too narrow.
 void expect_band_holds_corners(unsigned int n_harmonics, unsigned int n_lines)
 {
   Study study = test::mat_study();
@@ -274,7 +275,7 @@ TEST(ErrorBands, AreAtMostTheLastBandPlusTheDifferenceFromTheLastRow)
   EXPECT_FALSE(without_first.front().band);
 }
 
-TEST(ErrorBands, NameTheFailedLevel)
+TEST(ErrorBands, MessageOfAFailedRefinementNamesTheLevel)
 {
   Study study = test::mat_study();
   study.load.moment_ratio = 0.5;

@@ -36,7 +36,8 @@ Study rigid_foot_study(double foundation_modulus)
   return study;
 }
 
-/// The maximum of the load is to the right of the direction of motion.
+/// Returns @p study with the given @p moment_ratio. The maximum of the load is to the right of the direction
+/// of motion.
 Study with_moment(Study study, double moment_ratio)
 {
   study.load.moment_ratio = moment_ratio;
@@ -67,8 +68,8 @@ struct ReferenceState
 };
 
 // Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin, correct
-// to nine digits. Time constants by finite differences of the torque: steps from 0.003 to 0.03 rad/s agree to
-// 6e-10.
+// to nine digits. Time constants by finite differences of the torque: the results of steps from 0.003 to 0.03
+// rad/s agree to 6e-10.
 TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {
@@ -184,7 +185,7 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
   }
 }
 
-TEST(RigidFoot, AgreesInTheSpinWithoutTiltAndInTheTerminalState)
+TEST(RigidFoot, AgreesWithOtherCodeWithoutTiltAndInTheTerminalState)
 {
   struct Row
   {
@@ -210,7 +211,7 @@ TEST(RigidFoot, AgreesInTheSpinWithoutTiltAndInTheTerminalState)
   }
 }
 
-TEST(RigidFoot, AgreesWithTheFullMomentBalanceTiltAndGrip)
+TEST(RigidFoot, AgreesWithOtherCodeInFullMomentBalanceWithTiltAndGrip)
 {
   for (const auto &expected : reference()["closure_full"])
   {

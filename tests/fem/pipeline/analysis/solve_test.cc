@@ -47,7 +47,7 @@ TEST(Solve, ResultsDoNotDependOnTheThreads)
     EXPECT_EQ(digits_on(n_threads), one) << n_threads;
 }
 
-TEST(Solve, InitialGuessesDoNotDependOnOtherVariants)
+TEST(Solve, ResultsDoNotDependOnTheOrderOfTheVariants)
 {
   const SolvedStudy solved(quick_contact_study());
   std::vector<Variant> variants = variants_without(own_variant(solved.study, solved.foot.get()));
@@ -80,7 +80,7 @@ TEST(Solve, AFailedVariantGivesItsReasonAndTheOthersContinue)
   EXPECT_EQ(solved[2].value(), study.glass.profile.contact_radius);
 }
 
-TEST(Solve, FailuresAreStoredPerVariantButRethrownOnSeveralRanks)
+TEST(Solve, FailuresAreStoredPerVariantOrThrownAtOnce)
 {
   const std::vector<Variant> variants(2, { VariantKind::study, "", quick_contact_study() });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int

@@ -11,7 +11,7 @@
 namespace stemware::test
 {
 
-/// Throws if foot, load or terminal spin of the study fails.
+/// Foot, load and terminal spin of a study. The constructor throws if one of them cannot be computed.
 struct SolvedStudy
 {
   explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})

@@ -185,7 +185,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   EXPECT_GT(*most, 0);
 }
 
-TEST(Answer, GivesTheReasonIfThereIsNoTerminalSpin)
+TEST(Answer, GivesTheStatusAndTheReasonForAMissingTerminalSpin)
 {
   const auto refusing = [](auto failure)
   {

@@ -62,12 +62,12 @@ void compare_bounds_of_studies(unsigned int n_studies, unsigned int seed)
   std::printf("median of bound over rest: %.2f; %u glasses tip\n", *middle, n_tipping);
 }
 
-TEST(TorqueBound, ExceedsTheTorqueOfOmittedHarmonicsUnderFourLoads)
+TEST(TorqueBound, ExceedsTheTorqueOfOmittedHarmonicsInFourStudies)
 {
   compare_bounds_of_studies(4, 62);
 }
 
-TEST(TorqueBoundLong, ExceedsTheTorqueOfOmittedHarmonicsUnderSixtyLoads)
+TEST(TorqueBound, ExceedsTheTorqueOfOmittedHarmonicsInSixtyStudiesLong)
 {
   compare_bounds_of_studies(60, 1);
 }

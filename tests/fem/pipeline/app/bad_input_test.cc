@@ -75,7 +75,7 @@ TEST(BadInput, NamesTheErrorOfAStudyFile)
   expect_refused(scratch, { "run", scratch.write("empty.prm", "") }, "is empty");
 }
 
-TEST(BadInput, RefusesSettingsInOneSentence)
+TEST(BadInput, NamesTheErrorOfASetting)
 {
   const std::string solid = "Contact/Body=solid", foot = "Glass/Shape=foot",
                     flat_foot = "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh";
@@ -139,7 +139,7 @@ TEST(BadInput, RefusesSettingsInOneSentence)
     expect_refused(scratch, with_settings({ "run", "study.prm" }, settings), expected);
 }
 
-TEST(BadInput, RefusesCommandsInOneSentence)
+TEST(BadInput, RefusesBadCommandsWithoutChangingFiles)
 {
   const ScratchFolder scratch;
   const std::string ring = "Load/Source=first harmonic";
@@ -250,7 +250,7 @@ Ended shell(const ScratchFolder &scratch, const std::string &command)
   return RunningProgram({ "/bin/sh", "-c", "S=" STEMWARE_PROGRAM "; " + command }, scratch.path()).end();
 }
 
-TEST(BadInput, LackOfMemoryIsReportedInOneSentence)
+TEST(BadInput, LackOfMemoryIsReportedInOneLine)
 {
   const ScratchFolder scratch;
   std::size_t n_refused = 0;

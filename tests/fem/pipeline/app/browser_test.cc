@@ -118,7 +118,8 @@ const std::vector<State> &states()
   return all;
 }
 
-/// Runs the program and opens the report in the browser. Expects the answer of the console in the report.
+/// Runs the program, opens its report in the browser and returns the page. Expects that the console prints
+/// the answer of the report.
 nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
 {
   std::vector<std::string> arguments = state.arguments;
@@ -131,8 +132,8 @@ nlohmann::json opened_state(const ScratchFolder &scratch, const State &state)
   return page;
 }
 
-/// Returns, for each azimuth, the sum of the distances of the pressure points from the rim [um] and the
-/// number of points.
+/// Returns, for each azimuth, the sum of the signed distances of the footprint's points from the rim [um] and
+/// the number of points.
 std::map<std::string, std::pair<double, int>> distances_of(const nlohmann::json &rows)
 {
   std::map<std::string, std::pair<double, int>> found;
@@ -149,7 +150,7 @@ class BrowserStates : public testing::TestWithParam<State>
 {
 };
 
-TEST_P(BrowserStates, ShowAllFiguresWithoutDefects)
+TEST_P(BrowserStates, ShowTheExpectedFiguresWithoutDefects)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", plain_study());
@@ -186,7 +187,7 @@ TEST(Reports, AxeCoreIsInstalledLong)
     << "The tests of the pages did not check their accessibility. Install npm, then: ./quickstart test";
 }
 
-TEST(Reports, ArePrintedCompletely)
+TEST(Reports, ArePrintedToPdfWithoutErrors)
 {
   const ScratchFolder scratch;
   ASSERT_EQ(stemware(scratch, { "run", "--quick", "--output", "results" }).exit_code, 0);
@@ -211,8 +212,8 @@ std::vector<std::pair<double, double>> points_of(const nlohmann::json &rows, con
   return points;
 }
 
-/// Expects that each point (x, @p factor y) is a row of the columns @p x and @p y, to the six digits of a
-/// figure.
+/// Expects that each of @p points equals (x, @p factor y) of a row of the columns @p x and @p y, to the six
+/// digits that a figure has.
 void expect_rows(const std::vector<std::pair<double, double>> &points, const std::vector<double> &x,
                  const std::vector<double> &y, double factor)
 {

@@ -154,7 +154,7 @@ std::vector<std::string> plate_settings(const ScratchFolder &scratch, double ecc
            "Load/Moment direction=" + text(angle) + " deg" };
 }
 
-TEST(ContactRun, RimRadiusOfAPlateIsTheMeanDistanceOfItsBorder)
+TEST(ContactRun, RimRadiusAndContactOfAPlateAgreeWithClosedForms)
 {
   const ScratchFolder scratch;
   // The load is outside the kern of L/6 = 13.3 mm, so the contact length is 3 (L/2 - e) = 66 mm.
@@ -181,7 +181,7 @@ TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{});
 }
 
-TEST(ContactRun, TwoRanksGiveTheSameHarmonics)
+TEST(ContactRun, TwoRanksGiveTheSameResults)
 {
   const ScratchFolder scratch;
   const auto alone = run(scratch, {}, "alone");

@@ -56,8 +56,8 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
           << part << n;
   };
   expect_equal(quick_run(with_law("0.3", "0.3", "0.1")));
-  // If the coefficients differ by rounding, the Stribeck law is integrated by quadrature and friction acts
-  // pointwise in the foot.
+  // If the coefficients differ by rounding, the Stribeck law is integrated by quadrature, and the friction
+  // that deforms the foot is computed point by point.
   expect_equal(quick_run(with_law("0.3", "0.300000000000001", "0.1")));
 }
 
@@ -94,7 +94,7 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(quick_run(viscous)) / omega, 1, 1e-9);
 }
 
-TEST(FrictionLawStudy, EveryVerbUsesTheLaw)
+TEST(FrictionLawStudy, RunTruncateAndSweepUseTheLaw)
 {
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
   const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);

@@ -90,7 +90,7 @@ TEST(Interruption, TwoSimultaneousRunsLeaveACompleteFolder)
             names_in(scratch / "results"));
 }
 
-TEST(Interruption, AFullDiskLeavesOlderResultsUnchanged)
+TEST(Interruption, AFailedWriteLeavesOlderResultsUnchanged)
 {
   const ScratchFolder scratch;
   write_study(scratch);

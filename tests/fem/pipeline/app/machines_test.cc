@@ -11,7 +11,7 @@ namespace
 using namespace test;
 
 /// Runs the program with the environment of a Slurm job step. Open MPI lacks Slurm's PMI, so MPI_Init() would
-/// end the process (open-mpi issue 10286).
+/// end the process if the program did not hide the job step (open-mpi issue 10286).
 Ended in_slurm_step(const ScratchFolder &scratch, const std::vector<std::string> &arguments)
 {
   std::vector<std::string> command = { "/usr/bin/env" };
@@ -40,7 +40,7 @@ TEST(SlurmStep, VerbsRunInAJobStepWithoutPmi)
   }
 }
 
-TEST(SlurmStep, ASolidFootInitialisesMpi)
+TEST(SlurmStep, ASolidFootRunsInAJobStepWithoutPmi)
 {
   const ScratchFolder scratch;
   const Ended ended = in_slurm_step(

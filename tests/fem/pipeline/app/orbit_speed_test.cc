@@ -73,7 +73,8 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
   };
   std::vector<double> omegas = { 0 };
   constexpr unsigned int n_outputs = 200;
-  // If the motion starts from rest, the damping is proportional to 1 / t, so the steps are proportional to t.
+  // If the motion starts from rest, the damping rate of omega is proportional to 1 / v, i.e. to 1 / t. The
+  // time steps are therefore proportional to t.
   double omega = 0, t = v0 > 0 ? 0 : 1e-6;
   for (unsigned int i = 1; i <= n_outputs; ++i)
   {
@@ -196,8 +197,8 @@ TEST(OrbitSpeed, BreakawayForceIsTheStaticFriction)
 
 TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
 {
-  // The table `dense` has many rows on the polygon through `rows`, so the cubic of `dense` nearly equals the
-  // polygon.
+  // The table `dense` has many rows on the polygon through `rows`, so the cubic interpolation of `dense`
+  // nearly equals the polygon.
   const std::vector<std::pair<double, double>> rows = { { 0, 0.1 },  { 0.3, 0.18 }, { 0.6, 0.29 },
                                                         { 1, 0.35 }, { 1.4, 0.33 }, { 1.7, 0.24 },
                                                         { 2, 0.15 } };
@@ -228,7 +229,7 @@ TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
               testing::HasSubstr("monotone cubic"));
 }
 
-TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
+TEST(OrbitSpeed, NamesTheErrorOfABadFile)
 {
   const ScratchFolder scratch;
   const auto refused =
@@ -244,7 +245,7 @@ TEST(OrbitSpeed, RefusesWrongFilesInOneSentence)
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
   // With the hand 5 cm below the centre of mass and Closure::paper, the glass tips at v^2 / (rho g) = 32 mm /
-  // 5 cm, i.e. v = 0.9704 m/s.
+  // 5 cm (outer radius of the land / distance), i.e. v = 0.9704 m/s.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

@@ -35,7 +35,8 @@ const TwoRuns &two_runs()
   return runs;
 }
 
-/// @p tolerance is relative to the largest value of each column.
+/// Expects equal columns in the tables @p name of both runs. @p tolerance is relative to the largest value of
+/// each column.
 void expect_equal_tables(const TwoRuns &runs, const std::string &name, double tolerance)
 {
   const auto quick = read_columns(runs.scratch / "quick" / name),
@@ -67,7 +68,7 @@ TEST(QuickRun, ReproducesTheAnswerAndCurvesOfAFullRun)
   expect_equal_tables(runs, "spin_up.csv", 1e-7);
 }
 
-TEST(QuickRun, AnswerBeginsWithTheListOfOmittedResults)
+TEST(QuickRun, OmitsBudgetAndBandsAndSaysSoFirst)
 {
   const TwoRuns &runs = two_runs();
   for (const char *key : { "budget", "without", "error_bands", "one_ring" })

@@ -73,7 +73,7 @@ TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
-/// The error estimate of this coarse foot takes one second.
+/// Settings of a coarse solid foot with an accuracy goal. Its error estimate takes one second.
 const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Degree=1",
                                                     "Contact/Azimuthal cells=12",
@@ -94,7 +94,7 @@ Ended run_with_goal(const ScratchFolder &scratch, const std::vector<std::string>
     .end();
 }
 
-TEST(SolidRun, EveryVerbAcceptsAGoal)
+TEST(SolidRun, TruncateAndSweepAcceptAGoal)
 {
   for (const std::vector<std::string> &verb :
        { std::vector<std::string>{ "truncate" }, { "sweep", "--vary", "Motion/Mass=0.31" } })

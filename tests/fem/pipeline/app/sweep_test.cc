@@ -41,7 +41,7 @@ CsvTable table_in(const ScratchFolder &scratch)
   return CsvTable(sorted_by_case(rows_in(scratch)));
 }
 
-/// Sorts the lines of sweep.csv, because rows are written in the order in which cases finish.
+/// Returns the sorted lines of sweep.csv. The program writes rows in the order in which cases finish.
 std::vector<std::string> sorted_lines(const std::string &text)
 {
   std::istringstream stream(text);
@@ -91,7 +91,8 @@ TEST(Sweep, AgreesWithSeparateRuns)
     const nlohmann::json one = read_summary(scratch / "one");
     const double mean = one["load"]["a"][0];
     EXPECT_EQ(table.number(row, "omega_terminal (rad/s)"), one["ring"]["omega_terminal"]);
-    // `run` searches for the first harmonic from the spin of all harmonics, `sweep` from rest.
+    // `run` starts the search for the spin of the first harmonic at the spin of all harmonics, `sweep` at
+    // rest.
     EXPECT_NEAR(table.number(row, "harmonic_effect (rad/s)"), one["harmonic_effect"]["absolute"], 1e-8);
     EXPECT_EQ(table.number(row, "tau_at_rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment_ratio"), one["load"]["moment_ratio"]);
@@ -159,7 +160,7 @@ TEST(Sweep, ResumesAfterAKillBeforeTheFirstRow)
   EXPECT_EQ(sorted_lines(rows_in(scratch)), sorted_lines(whole));
 }
 
-TEST(Sweep, RefusesTheFolderOfAnotherSweepOrOtherFiles)
+TEST(Sweep, ExtendsItsOwnTableAndRefusesOtherFolders)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -192,7 +193,7 @@ TEST(Sweep, RefusesTheFolderOfAnotherSweepOrOtherFiles)
   expect_refused(stemware(scratch, sweep(two, "file")), 3, "is not a folder");
 }
 
-TEST(Sweep, RefusesFinishedCasesWithAChangedFile)
+TEST(Sweep, RefusesToResumeWithAChangedInputFile)
 {
   const ScratchFolder scratch;
   const std::string load = "# ring radius: 0.03 (m)\n0 0.46 0\n1 0 ";
@@ -289,7 +290,7 @@ TEST(Sweep, QuietJsonPrintsOneLine)
   EXPECT_EQ(line["omega_terminal"].size(), 2u);
 }
 
-TEST(Sweep, RefusesBadRequestsInOneSentence)
+TEST(Sweep, RefusesBadRequestsWithoutWritingFiles)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);

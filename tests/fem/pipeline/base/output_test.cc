@@ -110,7 +110,7 @@ TEST(ResultsFolder, ReplacesItsOwnFilesAndKeepsHiddenFiles)
   publish(scratch / "paper", "newest");
 }
 
-TEST(ResultsFolder, RefusesANameTooLongForItsPartialFolder)
+TEST(ResultsFolder, RefusesOnlyNamesThatAreTooLongForThePartialFolder)
 {
   const ScratchFolder scratch;
   const std::size_t longest = 255 - std::string(".partial-" + std::to_string(::getpid())).size();
@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
             "holds fields, which" }),
   [](const auto &info) { return info.param.name; });
 
-TEST(ResultsFolder, RefusesInvalidFolders)
+TEST(ResultsFolder, RefusesInvalidFoldersAndAcceptsALinkedParent)
 {
   const ScratchFolder scratch;
   scratch.write("file", "mine");

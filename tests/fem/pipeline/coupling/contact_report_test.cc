@@ -1,4 +1,4 @@
-// Reference: sums over the pressure points.
+// Reference: sums over the point forces.
 #include "fem/contact/sliding_traction.h"
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/coupling/contact_report.h"
@@ -62,8 +62,8 @@ ring::Wrench friction_of(const Described &glass, const fem::ContactState &contac
   return friction;
 }
 
-/// Returns the forces and moments on the glass from the pressure points. The contact solution describes the
-/// tilt of the table under an upright glass, so the glass leans by the opposite angles.
+/// Returns the forces and moments on the glass from the point forces. The contact solution describes the tilt
+/// of the table under an upright glass, so the glass leans by the opposite angles.
 verification::PlainGlass plain_glass(const Described &glass, const fem::ContactState &contact,
                                      const Study &study, double omega)
 {
@@ -143,7 +143,7 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
   EXPECT_GT(std::abs(row.at_terminal->moment_ratio - row.at_rest->moment_ratio), 1e-3);
 }
 
-TEST(ContactReport, FrictionInTheFootDependsOnOmegaOverV)
+TEST(ContactReport, DeformationByFrictionDependsOnOmegaOverV)
 {
   // Reference: the foot under the resultants of the balance, with friction for the slip at omega / v.
   const Study study = coarse_study_in_balance();

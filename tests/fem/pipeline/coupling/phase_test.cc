@@ -55,7 +55,7 @@ TEST(Waviness, IsWrittenAndReadBackExactly)
   EXPECT_EQ(waviness_text({}), "");
 }
 
-TEST(Waviness, RefusesOtherTexts)
+TEST(Waviness, RefusesInvalidTexts)
 {
   for (const char *text : { "0: 1e-6", "1: 1e-6", "2", "2:", "2: x", "2: 1e-6 @", "2: 1e-6 @ y", "2.5: 1e-6",
                             "-2: 1e-6", "2: 1e-6,", "2: 1e-6; 3: 1e-6", "2: inf", "2: 1e-6 @ 1 @ 2" })
@@ -171,8 +171,9 @@ TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
   EXPECT_LT(loads.error().mean, 0.05 * jump);
 }
 
-// Polynomials do not resolve a kink in the spin, so the mean is no more accurate than each phase. Reference:
-// the load at phase 0, which equals the exact mean.
+// The load has a kink as a function of the spin, which polynomials do not resolve. The interpolation error of
+// the mean over the phases is as large as the error of each phase. Reference: the load at phase 0, which
+// equals the exact mean.
 TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 {
   const auto kinked = [](double omega, double phase)

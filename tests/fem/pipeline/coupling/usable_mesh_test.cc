@@ -108,7 +108,7 @@ TEST_F(ForeignMesh, RefusesAnUpsideDownFoot)
   expect_sentence(text(), "rotate the mesh");
 }
 
-TEST_F(ForeignMesh, RefusesSwappedIds)
+TEST_F(ForeignMesh, RefusesSwappedIdsUnlessTheEntriesAreSwapped)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() != 0)

@@ -88,7 +88,7 @@ const Values hard = { { "Table/Interface", "hard" }, { "Table/Substrate", "rigid
              mat = { { "Table/Interface", "Winkler" }, { "Table/Substrate", "rigid" } };
 const Values bare_wood = { { "Table/Interface", "hard" }, { "Table/Substrate", "elastic" } };
 
-TEST(Live, TwentyChangedEntriesAgreeWithTheProgram)
+TEST(Live, SpinAgreesWithTheProgramForTwentyChangedEntries)
 {
   expect_the_programs_spins(mat,
                             { { "Motion/Friction coefficient", "0.2" },
@@ -284,7 +284,7 @@ TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
   EXPECT_LT(motion.back()["torque"].get<double>() / motion[0]["torque"].get<double>(), 0.02);
 }
 
-TEST(Live, FrictionOfAnInstantIntegratesToTorqueAndForce)
+TEST(Live, FrictionAtRestIntegratesToTorqueAndForce)
 {
   // Reference: trapezoidal rule over the points of the rim, exact for the harmonics at rest. Without tilt and
   // grip, only friction contributes to the torque.

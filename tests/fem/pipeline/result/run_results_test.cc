@@ -123,7 +123,7 @@ TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
             solved_run().spin.torque_effects.rows.back().largest.value());
 }
 
-TEST(RunResults, TorqueAtRestAgreesWithTheClosedForm)
+TEST(RunResults, SummaryContainsTheClosedFormOfTheTorqueAtRest)
 {
   // Closed form: tau_z(0) = mu M_Nx.
   const SolvedRun &run = solved_run();

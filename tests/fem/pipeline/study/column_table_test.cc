@@ -32,7 +32,7 @@ TEST(ColumnTable, ReadsSpinsInTurnsAndDegrees)
       << unit;
 }
 
-TEST(ColumnTable, RefusalOfAmbiguousNumbersNamesTheLine)
+TEST(ColumnTable, NamesTheErrorOfABadTable)
 {
   for (const auto &[text, words] : std::vector<std::pair<std::string, std::string>>{
          { "t (s),omega (rad/s)\n1,\"-1,500\"\n", "line 2, column 2" },          // -1.5 or -1500?

@@ -47,7 +47,7 @@ TEST(ColumnFile, ReadsAnySeparatorUnitHeadingAndOrderOfColumns)
   EXPECT_EQ(rows_of(scratch.write("my.csv", "\n# one\n\n1 2\n")).front().line, 4u);
 }
 
-TEST(ColumnFile, RefusalOfBadTextNamesTheLine)
+TEST(ColumnFile, NamesTheErrorOfABadFile)
 {
   const ScratchFolder scratch;
   const std::string header = "t (s), v (m/s)\n";
@@ -82,7 +82,7 @@ TEST(ColumnFile, RefusalOfBadTextNamesTheLine)
   }
 }
 
-/// Pipes and devices are refused unopened, because a read might never end.
+/// Pipes and devices are refused without being opened, because reading them might never end.
 TEST(ColumnFile, RefusesFoldersPipesAndLargeFiles)
 {
   const ScratchFolder scratch;

@@ -158,7 +158,7 @@ TEST(GmshMesh, ReadsParametricNodes)
   expect_the_small_foot(text);
 }
 
-/// A mesh file has no constraints for hanging nodes, so refined cells would be separated from coarser
+/// A mesh file has no constraints for hanging nodes, so refined cells would not be connected to coarser
 /// neighbours.
 TEST(GmshMesh, RefusesAMeshWithHangingNodes)
 {

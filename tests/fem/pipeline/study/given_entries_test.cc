@@ -16,7 +16,7 @@ namespace
 using Settings = test::EntryTexts;
 using Names = std::vector<std::string>;
 
-TEST(IdleEntries, AreEntriesWithoutEffectUnderTheOtherEntries)
+TEST(IdleEntries, AreListedForEachChoiceOfTheModel)
 {
   const Settings table = { { "Table/Foundation modulus", "1e9" },
                            { "Table/Decay length", "2e-6" },

@@ -80,7 +80,7 @@ std::string scattered_foot(double error)
   return points + "34,2\n34,4\n6,8\n5,16\n0,16\n";
 }
 
-TEST(ProfileFile, RefusesBadFilesInOneSentence)
+TEST(ProfileFile, RefusesBadFiles)
 {
   const std::vector<std::pair<std::string, std::string>> bad = {
     { "", "has no rows" },

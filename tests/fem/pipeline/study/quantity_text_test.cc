@@ -54,7 +54,7 @@ TEST(QuantityText, DecimalUnitsGiveTheNearestDouble)
     EXPECT_EQ(parse_quantity(text, unit), expected) << text;
 }
 
-TEST(QuantityText, OtherUnitsAreExactWithinRounding)
+TEST(QuantityText, OtherUnitsAreConvertedToRoundingAccuracy)
 {
   EXPECT_NEAR(*parse_quantity("180 deg", "rad"), 3.141592653589793, ulps(2, 3.14));
   EXPECT_NEAR(*parse_quantity("-90\u00b0", "rad"), -1.5707963267948966, ulps(3, 1.57));
@@ -95,7 +95,7 @@ TEST(QuantityText, EveryEntryRefusesAnotherDimension)
   EXPECT_GE(n_quantities, 30u);
 }
 
-TEST(QuantityText, NamesAWrongUnitInOneSentence)
+TEST(QuantityText, NamesTheErrorOfAWrongUnitOrNumber)
 {
   const auto refusal = [](const std::string &path, const std::string &value) -> std::string {
     return test::sentence_of([&] { with_values(Study(), "--set", { { path, value } }); });

@@ -24,14 +24,14 @@ TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
   EXPECT_NE(refusal_of(paper), "");
 }
 
-/// @p named: beginning of the refusal ("entry = value"); empty if the settings are allowed.
+/// Settings and the beginning of their refusal ("entry = value"); empty if the settings are allowed.
 struct Check
 {
   Settings settings;
   std::string named;
 };
 
-TEST(StudyChecks, RefuseInconsistentValues)
+TEST(StudyChecks, RefuseInconsistentAndOutOfRangeValues)
 {
   const std::pair<std::string, std::string> elastic = { "Table/Substrate", "elastic" },
                                             solid = { "Contact/Body", "solid" };

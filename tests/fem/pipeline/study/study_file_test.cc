@@ -152,7 +152,7 @@ TEST(StudyFile, AcceptsAnEntryWithoutItsSection)
   EXPECT_THAT(study_refusal("", { "Mas=1" }), testing::HasSubstr("did you mean Motion/Mass?"));
 }
 
-TEST(StudyFile, RefusalOfQuotesGivesAHint)
+TEST(StudyFile, RefusalOfQuotesAndBlanksGivesAHint)
 {
   for (const char *value : { "\"300 g\"", "'300 g'", "\u201c300 g\u201d" })
     EXPECT_THAT(study_refusal("", { "Motion/Mass=" + std::string(value) }), testing::HasSubstr("quotes"))

@@ -28,7 +28,7 @@ TEST(TableSection, MakesARoughTableOfTheGivenPressureAndDecayLength)
   const fem::Table table = table_of({ { "Table/Interface", "rough" },
                                       { "Table/Reference pressure", "2e9" },
                                       { "Table/Decay length", "3e-6" } });
-  // p = p0 exp(d / s)
+  // p = p0 exp(d / s) with the penetration d and the decay length s
   EXPECT_NEAR(table.interface->penetration_at(2e9 * std::exp(-5.)), -15e-6, ulps(40, 15e-6));
   EXPECT_NEAR(table.interface->stiffness_at(1e6), 1e6 / 3e-6, 1e-3);
 }
