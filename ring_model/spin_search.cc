@@ -14,7 +14,7 @@ namespace stemware::ring
 {
 namespace
 {
-// Lengths below are in units of the spin scale v / R, over which the friction torque varies.
+// Spins below are in units of the spin scale v / R, over which the friction torque varies.
 constexpr double farthest = 64.;       ///< end of the search
 constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
 /// Width below which an interval is not bisected any more; it bounds the error of BalanceLost::last_spin.

@@ -149,7 +149,8 @@ private:
     return numbers::invalid_unsigned_int;
   }
 
-  /// Returns the number of azimuths, a multiple of `span`: about four per wavelength of the highest harmonic.
+  /// Returns the number of azimuths, a multiple of `span`: at least four per wavelength of the highest
+  /// harmonic.
   unsigned int n_azimuths() const { return std::max(4 * (field.n_modes() - 1) / 2, 48u) / span * span; }
 
   /// Returns the load [N] of a contact cell by the trapezoidal rule over the nodes of @p n_pieces pieces.

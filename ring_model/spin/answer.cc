@@ -20,7 +20,7 @@ namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Returns the averaging window of the mean spin [s]: the maximum of 16 slowest periods and 8 decay times.
-/// Both are limited; the period of the glass would diverge at the rate of the orbit.
+/// The period of the glass is limited, because it diverges if the glass turns at the rate of the orbit.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());
