@@ -65,10 +65,9 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
   return chebyshev_radii(middle - half, middle + half, n_rings);
 }
 
-/// Adds changes of the numbers of rings and harmonics. The pressure of the existing contact solutions is
-/// projected again; the moment balance is not solved again. The neglected change of the balance changes the
-/// spin about as much, so the factor is 2. With two or more rings, the largest of the changes to @p
-/// ring_counts rings is used.
+/// Adds changes of the numbers of rings and harmonics: other projections of the existing contact pressure,
+/// without a new moment balance. The neglected change of the balance changes the spin about as much as the
+/// projection, so the factor is 2. With two or more rings, the largest change over @p ring_counts is used.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {

@@ -10,8 +10,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with the constant friction coefficient mu(orbit speed). It does not change the torque at
-/// rest.
+/// Returns the study with the constant friction coefficient mu(orbit speed). The torque at rest stays the
+/// same.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;

@@ -32,8 +32,7 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot(), which is nullptr if the load has no contact. Reports its size and notes to @p
-/// progress.
+/// Returns study_foot(), which is nullptr if the load has no contact. Sends size and notes to @p progress.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)

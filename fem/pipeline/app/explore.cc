@@ -25,8 +25,7 @@ struct ExploreOptions
   unsigned int max_nodes = 0;
 };
 
-/// Additional preset of pages: a rigid table. For `stemware new` there is no such preset, because two entries
-/// suffice.
+/// Preset of a rigid table, for pages only: a study file can set the two entries directly.
 const Preset rigid_table = { "rigid",
                              "a table that yields nothing",
                              {},

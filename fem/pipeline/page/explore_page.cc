@@ -85,7 +85,7 @@ public:
 private:
   std::size_t head() const { return 6 + n; }
   std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
-  /// Returns the index of the first number of matrix @p m in numbers().
+  /// Returns the index in numbers() of the first number of the given kind of matrix @p m.
   std::size_t begin(std::size_t m, std::size_t kind) const
   {
     std::size_t place = head() + m * (size(0) + 2 * size(1));

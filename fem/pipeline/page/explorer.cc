@@ -25,8 +25,8 @@ namespace
 /// the inverse ratio (docs/explore.md).
 constexpr double farthest = 1.5;
 
-/// Returns true if an entry can change without new compliances, which scale with the moduli and do not depend
-/// on the motion.
+/// Returns true if an entry can change without new compliances. Compliances scale with the moduli and do not
+/// depend on the motion.
 bool is_live(const std::string &path)
 {
   static const std::vector<std::string> outside_motion = {

@@ -190,8 +190,8 @@ void require_a_pressure(const RingStack &load, double omega)
                            " N m at most, at the outermost ring; lower the hand or the speed"));
 }
 
-/// Returns the terminal spin, the list of all terminal spins (empty unless @p all is true), torque at rest [N
-/// m], spin unit v / R [rad/s] and spin-up.
+/// Returns the terminal spin, all terminal spins (an empty list unless @p all is true), the torque at rest [N
+/// m], the spin unit v / R [rad/s] and the spin-up.
 py::tuple answer_about(const py::object &given, const Motion &motion, double grip_torque, bool all,
                        const Row &times)
 {

@@ -83,7 +83,8 @@ void add_solid_body(const Study &study, StudySize &size)
   size.unknowns *= std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
-  // If the edge is halved, the coarser meshes of the hierarchy have many cells as well.
+  // If the edge is halved, the coarser meshes of the hierarchy also have many cells, so multigrid needs more
+  // memory.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_factorised =
     contact.linear_solver == fem::LinearSolver::condensed ||
