@@ -7,13 +7,13 @@ const parts = [
   ['Predict, before you try', 'Write down what you expect, and one sentence why.', ['question', 'I expect', 'because', 'I saw']],
   [
     '1. The orbit is counter-clockwise, seen from above, and the hand is low on the stem. Which way does the glass spin?',
-    '2. The hand is as high as the centre of mass of the glass.',
-    '3. The hand is higher than that.',
-    '4. Half the speed on the same circle: how much of the spin is left?',
-    '5. A table with half the friction.',
-    '6. A glass of the same shape with twice the mass.'
+    '2. The hand is as high as the centre of mass of the glass. Does the glass spin?',
+    '3. The hand is higher than the centre of mass. Which way does the glass spin?',
+    '4. The speed is halved on the same circle. How much of the spin is left?',
+    '5. The table has half the friction. How does the spin change?',
+    '6. A glass of the same shape has twice the mass. How does the spin change?'
   ],
-  ['Measure', 'Film from above. Count the turns of a dot on the foot in the room. Change one thing between runs.', runs],
+  ['Measure', 'Film from above. Count the turns of a dot on the foot relative to the room. Change one thing between runs.', runs],
   [
     'mass (g)',
     'radius of the foot’s ring (mm)',
@@ -28,8 +28,8 @@ const parts = [
   [
     'The hand pulls towards the centre of the circle. Which side of the foot is pressed harder when the hand is low, and why?',
     'Friction acts on each piece of a rim that does not spin yet. Sketch the arrows: what is their sum, and their torque about the axis?',
-    'Let the glass spin a little. How do the arrows turn, and why does that brake?',
-    'Which measured quantity changes the result most if it is wrong by a little? What do fingers do that hold the stem?'
+    'Let the glass spin a little. How do the arrows turn, and why does this brake the spin?',
+    'Which measured quantity changes the result most if it is slightly wrong? What is the effect of fingers that hold the stem?'
   ]
 ];
 const row = (tag, cells) => h('tr', {}, cells.map(text => h(tag, {}, text)));
