@@ -143,7 +143,7 @@ TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
   }
 }
 
-/// Closed form: u = grad(z r^n cos(n theta)), which shears the meridian.
+/// Closed form: u = grad(z r^n cos(n theta)), which shears the meridian. Divergence and curl vanish too.
 TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoBodyForces)
 {
   for (const unsigned int n : { 1u, 2u, 3u, 4u })

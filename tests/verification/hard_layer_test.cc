@@ -34,7 +34,7 @@ TEST(HardLayer, SettlementAgreesWithAStrip)
     setup.meridian.n_harmonics = 2;
     setup.n_lines = 16;
     setup.normal_force = force;
-    // The zones of high pressure at the edges are as long as the layer is thick.
+    // The zones of high pressure at the edges are about as wide as the layer is thick.
     setup.resolution.focus_size = std::min(width / 100, thickness / 2);
     setup.resolution.focus_width = width / 2;
     const MeshedRevolutionFoot foot(setup);

@@ -1,9 +1,10 @@
 // Frictionless axisymmetric punch with rounded edges on a disc: NAFEMS R0094, contact benchmark 2; values of
-// Code_Aster SSNA122. Contact on the axis is possible for n = 0 only, so every harmonic gets the compliance
-// of n = 0 and each azimuth line is an axisymmetric contact. SSNA122 (cells of 6 mm) gives at M, on the axis
-// of the top of the disc, u_z = -0.130734 mm and sigma_zz = -91.1006 MPa with linear elements, -0.132941 mm
-// and -94.1221 MPa with quadratic elements. Cells of 0.5, 0.25 and 0.125 mm at the contact edge give
-// -0.13402, -0.13396 and -0.13396 mm, and -87.28, -87.21 and -87.21 MPa in this test.
+// Code_Aster SSNA122. The body of revolution allows contact on the axis for n = 0 only. With the compliance
+// of n = 0 for every harmonic, the azimuth lines are independent, and each line is an axisymmetric contact.
+// At M, the point on the axis at the top of the disc, SSNA122 (cells of 6 mm) gives u_z = -0.130734 mm and
+// sigma_zz = -91.1006 MPa with linear elements and -0.132941 mm and -94.1221 MPa with quadratic elements.
+// Cells of 0.5, 0.25 and 0.125 mm at the contact edge give -0.13402, -0.13396 and -0.13396 mm, and -87.28,
+// -87.21 and -87.21 MPa in this test.
 #include "fem/contact/contact_newton.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/boundary_ids.h"

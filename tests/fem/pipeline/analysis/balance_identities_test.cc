@@ -86,7 +86,7 @@ Study study_on(const Surface &surface)
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
   // Friction torque at rest: tau_z(0) = mu M_Nx. Moment balance: M_N = -dz k x F + z_CM k x T + N z_CM (-q2,
-  // q1), with the tilt (q1, q2).
+  // q1), with the force F of the hand, the friction T and the tilt (q1, q2).
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());

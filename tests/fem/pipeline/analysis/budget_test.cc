@@ -73,7 +73,7 @@ Texts contact_rows(const Study &study, Texts rows)
   return rows;
 }
 
-TEST(Budget, RelativeEffectsRequireANonzeroSpin)
+TEST(Budget, HarmonicEffectsAreAbsoluteAndRelativeToANonzeroSpin)
 {
   const double unit = 0.35 / 0.03;
   const HarmonicEffect effect = harmonic_effect(-3.5, -3.43, unit);
@@ -119,7 +119,7 @@ TEST(Budget, SpinScaleFollowsFromTheMoment)
   EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
 
-TEST(Budget, AFilledGlassSpinsLikeAPointMassAtTheMetacentre)
+TEST(Budget, TheLiquidActsLikeAPointMassAtTheMetacentre)
 {
   Study filled = test::quick_contact_study();
   ring::Motion &motion = filled.motion.orbit;

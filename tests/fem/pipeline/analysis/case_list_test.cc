@@ -20,7 +20,7 @@ Values values_of(const std::string &varied)
   return cases_of_grid({ varied }).entries.at(0).values;
 }
 
-TEST(CaseList, ValuesOfARangeAreShortDecimals)
+TEST(CaseList, ValuesOfARangeAreShortDecimalsBetweenTheExactEnds)
 {
   EXPECT_EQ(values_of("Load/Moment ratio=0.1:1.9:7"),
             (Values{ "0.1", "0.4", "0.7", "1", "1.3", "1.6", "1.9" }));

@@ -60,7 +60,7 @@ TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
       "", { interface, "Glass/Shape=profile", "Glass/Profile file=" + file, "Glass/Crown radius=0.003" }));
     EXPECT_NEAR(drawn.omega() / foot.omega(), 1, 1e-4) << table;
     // The spin is sensitive to the shape: a thinner foot changes the spin more than twice as much as the
-    // drawing.
+    // drawn profile does.
     const test::SolvedStudy thinner(read_study("", { interface, "Glass/Foot thickness=0.003" }));
     EXPECT_GT(std::abs(thinner.omega() / foot.omega() - 1), 2 * std::abs(drawn.omega() / foot.omega() - 1))
       << table;

@@ -210,9 +210,9 @@ TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
   expect_bands_hold_up_to_tipping(1);
 }
 
-/// Expects that the error bands hold in states whose slip vanishes inside the contact at the terminal spin.
-/// Their result converges slowly with the number of rings. The moment ratios increase from @p smallest_moment
-/// in steps of 0.01.
+/// Expects that the error bands contain the error in states whose slip vanishes inside the contact at the
+/// terminal spin. Their result converges slowly with the number of rings. The moment ratios increase from @p
+/// smallest_moment in steps of 0.01.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;
@@ -281,8 +281,8 @@ TEST(FlatLandBands, ContainTheErrorWithLiftOffOnAMat)
     const double radius = study.glass.profile.contact_radius, outer = radius + row.width / 2;
     const verification::LiftedAnnulus exact(radius - row.width / 2, outer, row.moment_ratio * radius / 2);
     const double slope = study.motion.orbit.normal_force() / exact.per_slope, tilt = -slope / 1e9;
-    // An azimuth is in contact if its outermost point (zero > 0) or its innermost point (zero < 0) is in
-    // contact.
+    // The pressure vanishes on the line x = exact.zero. An azimuth is in contact if its outermost point (zero
+    // > 0) or its innermost point (zero < 0) is in contact.
     const double last = exact.zero < 0 ? radius - row.width / 2 : outer;
     expect_within_bands(study,
                         { { "contact_fraction", exact.share },

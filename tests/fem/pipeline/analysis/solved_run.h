@@ -11,7 +11,7 @@
 namespace stemware::test
 {
 
-/// Analysis and results of `run`, without writing files.
+/// Analysis and results of the command `run`, without written files.
 struct SolvedRun : pipeline::StudyAnswer
 {
   explicit SolvedRun(const pipeline::Study &given, const pipeline::Model &model = {})

@@ -36,7 +36,8 @@ void compare_bounds(const test::SolvedStudy &solved, std::vector<double> &ratios
   }
 }
 
-/// Uses the first @p n_studies random studies of @p seed that have a terminal spin.
+/// Compares the bounds with the torques of the first @p n_studies random studies of @p seed that have a
+/// terminal spin.
 void compare_bounds_of_studies(unsigned int n_studies, unsigned int seed)
 {
   RandomStudies random(seed);

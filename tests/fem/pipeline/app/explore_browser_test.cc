@@ -65,7 +65,7 @@ std::string moving_script(const std::string &page)
   return found;)";
 }
 
-TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgram)
+TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgramAndTheTippingHeight)
 {
   const ScratchFolder scratch;
   const nlohmann::json found =
@@ -280,8 +280,8 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
 TEST(ExplorePage, LessonIsCorrectInEveryState)
 {
   const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
-  // If the hand is below the centre of mass, the outside of the rim is loaded. Friction on the outside turns
-  // the glass against the orbit.
+  // If the hand is below the centre of mass, the outside of the rim is loaded more. Friction on the outside
+  // turns the glass against the orbit.
   const std::vector<int> below = { 0, 1, 1, 0, 1 };
   const std::vector<Taught> states = {
     { "default", {}, below, "The rigid ring of the paper" },

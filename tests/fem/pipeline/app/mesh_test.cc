@@ -39,7 +39,7 @@ TEST(MeshVerb, CheckReportsTheMeasuresOfAMesh)
   EXPECT_GT(found["scaled_jacobian"]["least"].get<double>(), 0.2);
 }
 
-TEST(MeshVerb, CheckUsesTheGivenUnitAndProposesTheUnitOfTheStudy)
+TEST(MeshVerb, CheckUsesTheGivenUnitAndProposesTheFittingUnit)
 {
   const ScratchFolder scratch;
   const std::vector<std::string> in_centimetres = { "mesh",   "--check", meshes + "/flat_foot.msh",

@@ -97,7 +97,7 @@ const PhasePeriods periods = { two_pi / 3, two_pi / 2 };
 
 } // namespace
 
-TEST(PhaseSampledLoad, InterpolatesWithinTheStatedError)
+TEST(PhaseSampledLoad, InterpolatesWithinTwiceTheStatedError)
 {
   const PhaseSamples at_rest = sample_phases(made_up_load, periods, { 1024 });
   EXPECT_LE(at_rest.error().mean, 1e-5);

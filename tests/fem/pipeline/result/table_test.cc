@@ -150,7 +150,7 @@ TEST(NumberFormat, RoundsErrorBandsUp)
   EXPECT_EQ(format::number(0, "band"), "0");
 }
 
-TEST(NumberFormat, ShowsADashForNonFiniteNumbers)
+TEST(NumberFormat, ShowsNonFiniteNumbersAsADashOrNan)
 {
   const double infinite = std::numeric_limits<double>::infinity();
   for (const double none : { std::nan(""), -std::nan(""), infinite, -infinite })

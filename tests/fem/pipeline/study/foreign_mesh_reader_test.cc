@@ -76,7 +76,7 @@ void expect_the_small_foot(const std::string &text)
   EXPECT_EQ(n_stem, n_stem_expected);
 }
 
-TEST(GmshMesh, ChecksCountsAndVersions)
+TEST(GmshMesh, ReadsFormat22AndRefusesBadVersionsAndCounts)
 {
   const std::string text = written();
   expect_the_small_foot(text);
@@ -240,7 +240,7 @@ TEST(AnyMesh, RefusalOfOtherFormatsNamesACommand)
   }
 }
 
-/// The file has 3 GB, but is sparse.
+/// The file has 3 GB, but is sparse, i.e. needs no space on the disk.
 TEST(AnyMesh, RefusesLargeFilesBeforeReading)
 {
   const TemporaryFile file("");
@@ -259,7 +259,7 @@ TEST(AnyMesh, RefusesLargeFilesBeforeReading)
   EXPECT_THROW(require_affordable(study), BadInput);
 }
 
-TEST(AnyMesh, RefusesMeshesWithInvalidCells)
+TEST(AnyMesh, RefusesInvalidCellsNodesAndEncodings)
 {
   const std::string head = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n9\n1 0 0 0\n2 1 0 0\n3 1 1 0\n"
                            "4 0 1 0\n5 0 0 1\n6 1 0 1\n7 1 1 1\n8 0 1 1\n9 0 0 2\n$EndNodes\n$Elements\n";

@@ -59,7 +59,7 @@ TEST(PlausibleValues, AreListedInDocsValues)
     }
 }
 
-TEST(PlausibleValues, DefaultsAreWithinTheirRanges)
+TEST(PlausibleValues, ContainTheDefaultsAndExcludeValuesAboveTheMaximum)
 {
   Study study;
   unsigned int n_ranges = 0;
