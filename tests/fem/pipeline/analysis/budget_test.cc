@@ -119,7 +119,7 @@ TEST(Budget, SpinScaleFollowsFromTheMoment)
   EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
 
-TEST(Budget, TheLiquidActsLikeAPointMassAtTheMetacentre)
+TEST(Budget, AFilledGlassSpinsLikeAGlassWithAPointMassAtTheMetacentre)
 {
   Study filled = test::quick_contact_study();
   ring::Motion &motion = filled.motion.orbit;
