@@ -240,9 +240,11 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
   // crests. Unsoftened starts fail if the waviness has rotated or after the predicted start has failed.
   const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
   const bool may_start_unsoftened = !(on_hard_crests && (starts.waviness_has_rotated || starts.predicted));
+  const auto is_predicted = [&](const ContactStart &start)
+  { return starts.predicted && starts.predicted->motion == start.motion; };
   for (const bool softened : { false, true })
     for (std::size_t i = 0; i < starts.previous.size(); ++i)
-      if (softened ? !on_hard_crests : may_start_unsoftened)
+      if (softened ? !on_hard_crests : may_start_unsoftened && !is_predicted(starts.previous[i]))
         attempts.push_back(
           [&, softened, i]
           {

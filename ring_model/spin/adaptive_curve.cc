@@ -62,6 +62,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
                              const CurveTolerance &tolerance)
 {
   constexpr Eigen::Index max_nodes = 17; // per piece
+  constexpr std::size_t samples_for_halves = 5;
   for (const double x : source.cached)
     if (lower < x && x < upper)
       samples.emplace(x, source.value(x));
@@ -80,7 +81,8 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
                                                                  : tolerance.coarsest;
     if (worst->error() <= allowed || n_new >= tolerance.max_samples)
       return;
-    if (worst->nodes.size() < max_nodes)
+    // Both halves of a piece need enough new samples for their error estimates.
+    if (worst->nodes.size() < max_nodes || n_new + samples_for_halves > tolerance.max_samples)
     {
       refine(source, *worst);
       continue;

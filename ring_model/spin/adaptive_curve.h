@@ -27,7 +27,7 @@ struct CurveTolerance
   double relaxed = 2e-5;  ///< tolerance with up to four times as many
   double coarsest = 1e-3; ///< tolerance with `max_samples`
   std::size_t usual_samples = 20;
-  std::size_t max_samples = 200;
+  std::size_t max_samples = 80;
 };
 
 /// Piecewise polynomial interpolation of a costly function, with its error. Pieces end at kinks, and wherever

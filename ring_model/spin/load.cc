@@ -188,8 +188,6 @@ Load Load::interpolated(double lower, double upper, const CurveTolerance &tolera
   for (const auto &[omega, sample] : source->samples)
     costly.cached.push_back(omega);
   interpolant.rows.emplace(costly, lower, upper, tolerance);
-  if (interpolant.rows->error() > tolerance.coarsest)
-    return *this;
   Load found = *this;
   found.curve = std::make_shared<Interpolant>(std::move(interpolant));
   return found;

@@ -61,10 +61,10 @@ public:
   Load truncated(unsigned int n_harmonics) const;
 
   /// Returns the load interpolated between the spins @p lower and @p upper [rad/s], for curves of thousands
-  /// of values: an AdaptiveCurve with pieces that end where the rim lifts off, accurate to @p tolerance of
-  /// RingStack::difference(). Exact outside the interval, and if the tolerance is not reached; a load that is
-  /// not costly is unchanged. If @p similar, interpolated on the same rings, is one polynomial, the
-  /// difference to @p similar is interpolated.
+  /// of values: an AdaptiveCurve with pieces that end where the rim lifts off and with the @p tolerance of
+  /// RingStack::difference(). Where the load jumps with the spin, interpolation_error() exceeds the
+  /// tolerance. Exact outside the interval; a load that is not costly is unchanged. If @p similar,
+  /// interpolated on the same rings, is one polynomial, the difference to @p similar is interpolated.
   Load interpolated(double lower, double upper, const CurveTolerance &tolerance = {},
                     const Load *similar = nullptr) const;
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -94,6 +95,23 @@ TEST(Load, InterpolatesWithinTheStatedError)
   for (double omega = -3.97; omega < 0.5; omega += 0.13)
     EXPECT_LE(curve.at(omega).difference(exact(omega)), stated) << omega;
   EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0);
+}
+
+TEST(Load, JumpTakesAtMost80LoadsAndExceedsTheToleranceInTheError)
+{
+  unsigned int n_solved = 0;
+  const auto jumping = [&](double omega)
+  {
+    ++n_solved;
+    return ring::Sample(rim_load(omega < -1.7 ? 0.7 : 0.5));
+  };
+  const ring::Load curve = ring::Load::solved_once(jumping, jumping(0)).interpolated(-4, 0.5);
+  const double jump = ring::Sample(rim_load(0.7)).difference(rim_load(0.5));
+  EXPECT_TRUE(std::isfinite(curve.interpolation_error().value()));
+  EXPECT_GT(curve.interpolation_error().value(), jump / 10);
+  for (const double omega : { -3.3, -2.1, -1.3, 0.1 })
+    EXPECT_LT(curve.at(omega).difference(jumping(omega)), 1e-3 * jump) << omega;
+  EXPECT_LE(n_solved, 80 + 3 + 4u); // 80 on the curve, 3 at rest and at both ends, 4 as references
 }
 
 TEST(Load, InterpolatesWithFewerSamplesNextToASimilarLoad)
