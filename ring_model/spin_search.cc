@@ -137,8 +137,7 @@ private:
                              " evaluations of the torque, the last one at ", proposal, " rad/s"));
   }
 
-  /// Returns the driving torque at @p spin; std::nullopt and the exception in @p failure if there is no
-  /// balance.
+  /// Returns the driving torque at @p spin. Without balance, returns std::nullopt and sets @p failure.
   std::optional<DrivingTorque> sample_at(double spin, std::exception_ptr *failure = nullptr)
   {
     try
@@ -229,8 +228,7 @@ private:
     return !(local * steepness_ratio > mean && local < steepness_ratio * mean);
   }
 
-  /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends before the
-  /// first zero.
+  /// Returns the first zero up to the zero at @p spin. Throws BalanceLost if the balance ends earlier.
   double scanned(double spin)
   {
     DrivingTorque near = samples.front();

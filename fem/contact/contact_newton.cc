@@ -172,9 +172,9 @@ private:
     return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Returns true if rounding prevents a further decrease of a residual that passes the final check: a full
-  /// step changes neither active set nor residual, or the last @p n_idle steps (at least `patience`) do not
-  /// reduce the residual. With the stiff penalty of a rigid table, rounding errors may exceed the tolerance.
+  /// Returns true if the residual passes the final check but stagnates: a full step without a change of the
+  /// active set, or the last @p n_idle steps (at least `patience`), did not halve it. With the stiff penalty
+  /// of a rigid table, rounding errors may exceed the tolerance.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;

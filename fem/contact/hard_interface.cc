@@ -78,7 +78,7 @@ public:
   }
 
 private:
-  /// Returns the nodal areas, with 0 at ghost nodes, because another part of the surface counts their areas.
+  /// Returns the nodal areas, with 0 at ghost nodes: their areas belong to another part of the surface.
   static Eigen::VectorXd own_areas(const ContactSurface &surface)
   {
     Eigen::VectorXd areas = surface.node_area;

@@ -14,7 +14,7 @@ namespace
 /// Relative tolerance for rounding errors of lengths.
 constexpr double rounding = 1e-9;
 
-/// The compliances of more contact cells do not fit into memory.
+/// Maximum number of contact cells, limited by the memory for their compliances.
 constexpr std::size_t max_cells = 2000;
 
 /// Returns cells that are symmetric about the contact radius and smallest at this radius.

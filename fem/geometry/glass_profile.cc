@@ -195,7 +195,7 @@ void GlassProfile::validate_foot() const
   require(arc.centre_height < height(), "Fillet radius = ", fillet_radius, " m rounds the stem up to ",
           arc.centre_height - foot_top(), " m above the foot, beyond its cut at stem height = ", stem_height,
           " m; give a smaller fillet or a longer stem.");
-  // The underside can rise above the top only inside the land.
+  // The underside can rise above the top only between the axis and the land.
   constexpr unsigned int n_samples = 1000;
   for (unsigned int i = 0; i < n_samples; ++i)
   {

@@ -147,9 +147,8 @@ void MeridianSection::split(const std::vector<SectionVertex> &polyline)
       "little).");
     lower.add(vertex->radius, vertex->height, vertex->line);
   }
-  // The top is the part from the edge inwards in which r decreases, the stem the part from the cut downwards
-  // in which z decreases. Segments in both parts belong to the stem down to the first segment that is not
-  // steeper than 45 degrees.
+  // Inwards from the edge, the top extends while r decreases. Downwards from the cut, the stem extends while
+  // z decreases. In the overlap, the stem ends at the first segment that is not steeper than 45 degrees.
   auto inner = last;
   while (inner != cut && (inner + 1)->radius < inner->radius)
     ++inner;
@@ -219,8 +218,8 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The fillet ends at the first segment that is nearly parallel to the foot or to the stem: it deviates from
-  // this direction by less than 15 % of the angle between this direction and 45 degrees.
+  // The fillet ends at the first segment of the foot (of the stem) that deviates from the mean direction of
+  // the foot (from the vertical) by less than 15 % of the angle between this direction and 45 degrees.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

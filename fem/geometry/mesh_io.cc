@@ -108,7 +108,7 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
     mark_by_height(marks, triangulation);
 }
 
-/// Returns the mean height [m] of the faces of each id in the file that a study may name.
+/// Returns the mean height [m] of the faces of each boundary id that a study may name.
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;
@@ -193,7 +193,7 @@ struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    constexpr double corner = 1; // larger angles [rad] are corners of the foot, not the chords of a curve
+    constexpr double corner = 1; // larger angles [rad] are corners, smaller angles chords of a curve
     double sum_of_deficits = 0;
     for (const Outline &outline : contact_outlines(triangulation))
     {

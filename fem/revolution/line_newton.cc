@@ -307,8 +307,8 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   // Unknowns: amplitudes y (function index fastest within a mode) and table motions dq.
   // A y + B dq = a, C y + (D - H) dq = rhs, with D in the first columns of `beside` and the motion weights H.
   // Eliminating y leaves a 3 x 3 system for dq.
-  RowMatrix system = system_of_amplitudes(on_lines); // becomes [A, B, a]
-  solve_dense(system, 4);
+  RowMatrix system = system_of_amplitudes(on_lines); // [A, B, a]
+  solve_dense(system, 4);                            // overwrites B and a with A^-1 B and A^-1 a
   const Eigen::MatrixXd held = system.rightCols<4>();
   const Eigen::MatrixXd tested = // C; the three columns of a mode are consecutive
     response.basis().project(of_conditions.topRows(3 * p)).reshaped(3, n);

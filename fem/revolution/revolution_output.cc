@@ -167,8 +167,7 @@ private:
     return force;
   }
 
-  /// Returns the output nodes of @p cell. Contact cells are divided along the face until the load error is at
-  /// most 0.5 %.
+  /// Returns the output nodes of @p cell. Divides contact cells along the face, to a load error of 0.5 %.
   CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);
@@ -287,7 +286,7 @@ private:
     Eigen::Matrix3d stress;
   };
 
-  /// Transforms the fields at a point from cylindrical components into the slip frame.
+  /// Returns the fields at a point, transformed from cylindrical components into the slip frame.
   PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
                             const Eigen::Vector3d &conjugate) const
   {

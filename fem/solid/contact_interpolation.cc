@@ -98,8 +98,7 @@ public:
       cells.insert(received.second.begin(), received.second.end());
   }
 
-  /// Returns the entries of the cells in @p asked. Entries of cells without contact nodes are missing.
-  /// Collective.
+  /// Returns the entries of the cells in @p asked, except cells without contact nodes. Collective.
   std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
   {
     ToRanks<BinaryId> questions;

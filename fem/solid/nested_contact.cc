@@ -28,7 +28,7 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// Returns a start from contact solves on gradually stiffer interfaces; std::nullopt if @p softening is 1.
+/// Returns an initial guess from solves on gradually stiffer interfaces; std::nullopt if @p softening is 1.
 std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
                                                    double softening, const ContactDemand &demand,
                                                    double radius)

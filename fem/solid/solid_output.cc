@@ -190,8 +190,7 @@ std::string without_comment(std::string record)
   return record;
 }
 
-/// Returns the files of this rank. A rank without cells has no piece, because ParaView cannot read an empty
-/// piece.
+/// Returns the files of this rank. A rank without cells has no file, because ParaView rejects empty pieces.
 std::vector<FieldFile> pieces_on_ranks(Picture &picture, const MPI_Comm &communicator)
 {
   std::vector<FieldFile> files;

@@ -75,7 +75,7 @@ struct StepNumbers
   /// few iterations cost less than another step.
   double nearly_last = 30;
 
-  /// Tolerances of W: loose in the preconditioner, tight in close_conditions().
+  /// Tolerances of W = (K + B' T B)^-1 G: loose in the preconditioner, tight in close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
   /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
   double small_border = 0.2;
@@ -134,7 +134,7 @@ double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matri
   return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
 }
 
-/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. Before, @p increment solves
+/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. On entry, @p increment solves
 /// the system with the symmetric part of the matrix. Generalised conjugate residuals (Eisenstat, Elman,
 /// Schultz, SIAM J. Numer. Anal. 20 (1983) 345) reduce @p residual to @p target. @p solve(residual, target)
 /// solves with the symmetric part without changing the resultants.
@@ -167,7 +167,8 @@ struct SolidBody::Border
   Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
-  /// Inverse of C - G' W - W' G + W' (K + B' T B) W, which is positive definite for any W.
+  /// Inverse of the Schur complement C - G' W - W' G + W' (K + B' T B) W, where W approximates
+  /// (K + B' T B)^-1 G. The Schur complement is positive definite for any W.
   Eigen::Matrix3d inverse_schur;
 };
 
@@ -188,7 +189,7 @@ struct SolidBody::ProjectedOperator
   }
 };
 
-/// Approximate inverse of K + B' T B, plus W S^-1 W' for the table motions.
+/// Approximate inverse of K + B' T B, plus W S^-1 W' with the Schur complement S of Border::inverse_schur.
 struct SolidBody::ProjectedPreconditioner
 {
   const SolidBody &body;

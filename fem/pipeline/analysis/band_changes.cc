@@ -34,9 +34,8 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns a change that contributes to @p part of the error band. The contribution is @p factor times the
-/// difference between the results of @p variant and the results of the change for part @p from (the results
-/// of the study if @p from is empty).
+/// Returns a change. Its contribution to @p part of the error band is @p factor times the difference between
+/// the results of @p variant and of the first change of part @p from (of the study if @p from is empty).
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {

@@ -78,8 +78,7 @@ LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const Ring
   return loads;
 }
 
-/// Returns the torques at @p spins, averaged over @p loads (one load per phase); NaN if a load has no
-/// balance.
+/// Returns the torques at @p spins, averaged over @p loads (one per phase); NaN if a load has no balance.
 std::vector<ring::Torques> mean_torques(const std::vector<BalancedLoad> &loads, const ring::Motion &motion,
                                         const std::vector<double> &spins)
 {
@@ -283,9 +282,9 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
 }
 
 /// Widens the part "lines" of harmonics whose error vanishes by chance with the lines of this study. The
-/// errors of all harmonics n > 1 have the same cause, the distance of a contact edge from the next line. With
-/// four times the lines, 1/32 of the error remains (order 5/2), so each part is raised to at least 1/32 of
-/// the largest part.
+/// errors of all harmonics n > 1 have the same cause, the distance of a contact edge from the next line. The
+/// change to four times the lines omits 1/32 of an error (order 5/2), so each part is raised to at least
+/// 1/32 of the largest part.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;

@@ -10,8 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with the constant friction coefficient mu(orbit speed). The torque at rest stays the
-/// same.
+/// Returns the study with the constant friction coefficient mu(orbit speed), for equal torque at rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;

@@ -18,7 +18,7 @@ std::string size_text(const fem::FootDescription &foot)
   const std::string cells = foot.n_cells ? fmt::format(FMT_STRING("{} cells, "), *foot.n_cells) : "";
   std::string text = fmt::format(FMT_STRING("{}, {}{} unknowns, {} contact nodes"), foot.body, cells,
                                  foot.n_unknowns, foot.n_contact_nodes);
-  if (foot.mesh_report) // stated, because moment ratios refer to Glass/Contact radius
+  if (foot.mesh_report) // its radius may differ from Glass/Contact radius, to which moment ratios refer
     text += foot.mesh_report->round_rim
               ? fmt::format(FMT_STRING("\n          the mesh's rim has a radius of {:.6g} m"),
                             foot.mesh_report->rim_radius)
@@ -32,7 +32,7 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot(), which is nullptr if the load has no contact. Sends size and notes to @p progress.
+/// Returns study_foot(); nullptr if the load has no contact. Reports the size of the foot to @p progress.
 std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
                                             const Discretisation &discretisation = {},
                                             const ElasticFoot *similar = nullptr)

@@ -48,7 +48,7 @@ unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
   return found == check.n_faces.end() ? 0 : found->second;
 }
 
-/// Returns the number of faces whose boundary id has no meaning; they are treated as free.
+/// Returns the number of faces with a boundary id outside FootBoundary; they are treated as free.
 unsigned int n_other_faces(const fem::MeshCheck &check)
 {
   unsigned int n = 0;
@@ -161,7 +161,7 @@ struct MeshOptions
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Returns true if a study gives the mesh or, for a mesh file, the options and reference lengths.
+/// Returns true if a study defines the mesh, or defines the options and reference lengths for a mesh file.
 bool has_study(const MeshOptions &options)
 {
   return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
@@ -185,7 +185,7 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
   return { file, fem::check_mesh(mesh), report };
 }
 
-/// Generates the foot with the crown of its land, which mesh files contain as well.
+/// Generates and checks the mesh of the foot, including the crown of the land.
 MeshFindings generate_mesh(const Study &study, Mesh &mesh)
 {
   fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);

@@ -30,8 +30,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns an error message for an empty name, which usually results from an unset shell variable and does
-/// not mean the default study. Returns an empty text for other names.
+/// Returns an error message for an empty name (usually an unset shell variable), otherwise an empty text.
 std::string why_no_study(const std::string &text)
 {
   return text.empty()
@@ -39,8 +38,7 @@ std::string why_no_study(const std::string &text)
            : "";
 }
 
-/// Returns an error message for a blank name, because a directory listing would not show the folder. Returns
-/// an empty text for other names.
+/// Returns an error message for a blank name (invisible in a directory listing), otherwise an empty text.
 std::string why_no_folder(const std::string &text)
 {
   return text.find_first_not_of(" \t\r\n") == std::string::npos

@@ -87,8 +87,7 @@ double rounded(double value, int n_digits)
 
 LeadingNumber leading_number(const std::string &text)
 {
-  // strtod() also accepts hexadecimal numbers, blanks, a leading + and underflow to 0, which are refused
-  // here.
+  // Refuses the hexadecimal numbers, blanks, leading + and underflows to 0 that strtod() accepts.
   const std::string decimal = text.substr(0, text.find_first_of("xX"));
   LeadingNumber number;
   char *end = nullptr;

@@ -54,9 +54,9 @@ Launcher launcher()
   return {};
 }
 
-/// Sets Open MPI's environment for a single process. Disables the daemon, which needs ssh, the session folder
-/// in /tmp, in which simultaneous processes would collide, and the network, which takes 0.2 s to detect. A
-/// Slurm step of one process is hidden, because an Open MPI without Slurm's PMI would abort.
+/// Sets Open MPI's environment for a single process: no daemon (needs ssh), no session folder in /tmp
+/// (simultaneous processes would collide) and no network (takes 0.2 s to detect). Hides a Slurm step of one
+/// process, because an Open MPI without Slurm's PMI would abort.
 void prepare_to_stand_alone()
 {
   for (const auto &[name, value] : { std::pair("OMPI_MCA_ess_singleton_isolated", "1"),

@@ -120,9 +120,8 @@ ring::Sample BalancedContact::sample_of(const fem::ContactState &state) const
   ring::Sample sample = load.truncated(balance.n_harmonics);
   if (balance.tilts)
     sample.tilt = state.solution.motion.tail<2>();
-  // Without lift-off, the margin is the minimum load over the mean load. With lift-off, it is the negative
-  // minimum of a load 1 + m cos(theta) that is zero at the ends of the free arc: 1 - m = -d^2 / 2 for an arc
-  // of 2 d.
+  // The margin is the minimum load divided by the mean load. With lift-off, the load is replaced by
+  // 1 + m cos(theta) with zeros at the ends of the free arc (angle 2 d); its minimum 1 - m is about -d^2 / 2.
   const double share = load.azimuth_fraction.value_or(load.contact_fraction);
   sample.lift_off_margin = share < 1 ? -std::pow(ring::pi * (1 - share), 2) / 2 : load.least / load.a(0);
   sample.stability_margin = state.solution.stability_margin;

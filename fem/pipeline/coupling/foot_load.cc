@@ -88,7 +88,7 @@ void choose_rings(const ContactSection &contact, const ring::Motion &motion, Ela
   set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);
 }
 
-/// Returns the resultants at rest. If the study tilts, they include the moment of the tilted glass's weight.
+/// Returns the resultants at rest. With tilt, they include the moment of the weight of the tilted glass.
 fem::ContactDemand demand_at_rest(const Study &study)
 {
   fem::ContactDemand demand = study.required_resultants();

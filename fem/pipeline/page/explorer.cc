@@ -21,8 +21,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum ratio of the half-width of a focused contact to the half-width for which the mesh was made, and of
-/// the inverse ratio (docs/explore.md).
+/// Maximum factor, in either direction, between the half-width of a focused contact and the half-width for
+/// which the mesh was made (docs/explore.md).
 constexpr double farthest = 1.5;
 
 /// Returns true if an entry can change without new compliances. Compliances scale with the moduli and do not

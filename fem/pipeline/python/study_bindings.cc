@@ -140,7 +140,7 @@ struct Found
   }
 };
 
-/// Returns @p given with its files read again, after the checks at the start of the program.
+/// Returns @p given with its files read again. Makes the checks that `stemware` makes at its start.
 Study checked(const Study &given)
 {
   Study study = with_values(given, "", {});
@@ -182,7 +182,7 @@ py::dict case_of(const Study &given, Start *start)
   return all;
 }
 
-/// Yaw torque as a function of the spin, without the grip, for spin-ups with various grips and yaw inertias.
+/// Yaw torque without the grip torque, for spin-ups with various grip torques and yaw inertias.
 class FreeTorque
 {
 public:

@@ -28,8 +28,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-/// Returns the preset in a file that starts with "# NAME: WORDS" and, optionally, "# Also called: NAME,
-/// NAME".
+/// Returns the preset in a file that starts with "# NAME: WORDS", optionally "# Also called: NAME, NAME".
 Preset preset_in(const std::string &text)
 {
   Preset preset;

@@ -112,7 +112,7 @@ double Study::spin_scale() const
     const double share = std::abs(required.moment_x) / (required.normal_force * glass.profile.contact_radius);
     return share < 1e-12 ? unit : unit * std::clamp(2 * share, 1e-6, 1.);
   }
-  catch (const ring::Tipping &) // some models of the budget tip
+  catch (const ring::Tipping &) // in some models of the budget, the glass tips at rest
   {
     return unit;
   }

@@ -17,7 +17,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Unknowns per cell of linear elements in a generated mesh. The mesh is a few cells thick.
+/// Unknowns per cell of linear elements: 1.5 nodes per cell in a generated mesh, which is a few cells thick.
 constexpr double unknowns_per_cell = 4.5;
 
 /// Adds the memory of a dense system (harmonics times points across the land), of the state on all lines, and
@@ -128,7 +128,7 @@ StudySize size_of(const Study &study)
 {
   StudySize size;
   size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps per second of motion; forward Euler takes its own step.
+  // The adaptive method takes about ten steps per second of motion; forward Euler uses Motion/Euler step.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)

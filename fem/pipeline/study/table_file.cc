@@ -32,8 +32,7 @@ char separator_of(const std::string &text, std::size_t begin, bool blanks_separa
   return blanks_separate ? ' ' : '\n';
 }
 
-/// Returns the separator in a first line such as "sep=;" (a convention of Excel); std::nullopt for other
-/// lines.
+/// Returns the separator in a first line such as "sep=;" (a convention of Excel), otherwise std::nullopt.
 std::optional<char> named_separator(const std::string &origin, const std::string &text)
 {
   const std::string line = boost::trim_right_copy_if(text.substr(0, text.find('\n')), boost::is_any_of("\r"));
