@@ -56,7 +56,7 @@ double slope_of_remainder(const Function &function, const Value &derivative, dou
   return above / below;
 }
 
-/// Arguments as in slope_of_remainder().
+/// Returns success if the slope of the remainder exceeds 1.85. Arguments as in slope_of_remainder().
 template <typename Function, typename Value>
 testing::AssertionResult is_derivative(const Function &function, const Value &derivative, double step,
                                        double noise = 1e-15)

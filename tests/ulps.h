@@ -5,7 +5,8 @@
 
 namespace stemware
 {
-/// Returns @p n relative roundings of @p quantity, the tolerance of results that are exact up to rounding.
+/// Returns @p n times the machine epsilon times |@p quantity|, the tolerance of results that are exact up to
+/// rounding.
 inline double ulps(double n, double quantity)
 {
   return n * std::numeric_limits<double>::epsilon() * std::abs(quantity);

@@ -12,7 +12,8 @@ namespace
 {
 using namespace stemware::fem;
 
-/// Returns a full, diagonally dominant matrix, similar to the compliance of @p n circles under line loads.
+/// Returns a full, symmetric, positive definite matrix, similar to the compliance of @p n circles under line
+/// loads.
 RowMatrix compliance(Eigen::Index n)
 {
   return RowMatrix::NullaryExpr(n, n,

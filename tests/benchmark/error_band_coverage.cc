@@ -1,6 +1,6 @@
 // Checks the error bands of `stemware run` on random studies of seed SEED. Each study is compared with a
 // finer reference, which does not use the refinement levels of the band:
-//   axes      the study plus the sum of the changes due to each single refinement: contact cells and corner
+//   axes      the result plus the sum of its changes due to each single refinement: contact cells and corner
 //             cells of 1/8 of the size, a higher degree, 8 times the azimuth lines, 4 times the elastic
 //             harmonics, 96 harmonics of the load, a spring 100 times stiffer for a hard interface, sums over
 //             points instead of rings

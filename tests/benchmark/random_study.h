@@ -175,8 +175,8 @@ private:
     study.load.coupling = happens(0.85) ? LoadCoupling::two_way : LoadCoupling::one_way;
   }
 
-  /// Draws with probability 1/4 a moment up to strong lift-off, otherwise the moment balance. Returns true if
-  /// m < 1.6 at rest; the spinning glass may still tip.
+  /// Draws a prescribed moment up to strong lift-off (probability 1/4) and returns true, or draws a moment
+  /// balance and returns true if m < 1.6 at rest; the spinning glass may still tip.
   bool draw_load(Study &study)
   {
     if (happens(0.25))

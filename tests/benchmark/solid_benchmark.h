@@ -18,7 +18,7 @@
 class NamedValues
 {
 public:
-  /// @p defaults defines the allowed names. Throws std::invalid_argument for other names.
+  /// Reads arguments name=value. Throws std::invalid_argument if @p defaults does not contain the name.
   NamedValues(int argc, char **argv, std::map<std::string, std::string> defaults)
       : values(std::move(defaults))
   {
@@ -47,7 +47,8 @@ private:
   std::map<std::string, std::string> values;
 };
 
-/// Returns the default glass with shape=step|foot and crown [m]; crown=0: a flat land of 2 mm.
+/// Returns the default profile with the shape and crown radius [m] of @p values; crown=0: a flat land of 2
+/// mm.
 inline stemware::fem::GlassProfile profile_of(const NamedValues &values)
 {
   stemware::fem::GlassProfile profile;

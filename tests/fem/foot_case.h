@@ -19,7 +19,8 @@
 namespace stemware::fem_tests
 {
 
-/// Assembled stiffness with a direct factorisation of K + B' T B, the reference for multigrid.
+/// Assembled stiffness K with a direct factorisation of K + B' T B, the reference for multigrid. B restricts
+/// to the contact nodes, T is the contact tangent.
 class FactorizedStiffness : public BodyStiffness
 {
 public:

@@ -98,8 +98,8 @@ TEST(Liquid, ActsAtItsMetacentreOnALeaningGlass)
     Motion motion = filled(seed);
     motion.orbit_speed = 1e-6;
     motion.orbit_acceleration = 0;
-    // In the frame of a leaning glass, gravity and the liquid's surface lean. The metacentre is accurate to
-    // first order in the lean.
+    // In the frame of a leaning glass, gravity and the liquid's surface lean. The metacentre gives the moment
+    // to first order in the lean.
     const double lean = 1e-5;
     const Vector3d field(motion.gravity * std::sin(lean), 0, -motion.gravity * std::cos(lean));
     const Vector3d moment = columns(motion.liquid, { std::tan(lean), 0 }, field).second +

@@ -85,7 +85,7 @@ TEST(RingStack, TensileForceIsTheIntegralOfTheNegativePart)
   EXPECT_EQ(RingStack({ 1. }, { 0. }, 1.).pulling_force(), 0.);
 }
 
-TEST(RingStack, RotatesMirrorsAndTruncates)
+TEST(RingStack, RotationMirrorImageTruncationAndDerivativeAreCorrect)
 {
   test::Numbers numbers(3);
   const RingStack load = numbers.nonnegative_load(6);

@@ -57,7 +57,7 @@ TEST(SpinSearch, RecoversFromABadInitialGuessInFewEvaluations)
   }
 }
 
-TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
+TEST(SpinSearch, FindsTheFirstTorqueZeroUnderRandomLoads)
 {
   // Reference: all zeros, by a scan of 300 intervals.
   test::Numbers numbers(7);
@@ -80,7 +80,8 @@ TEST(SpinSearch, FindsTheFirstZeroOfRandomLoads)
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
   // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R); b_1 is
-  // constant for Closure::paper. The zeros have 40 digits (mpmath, kernels by quadrature).
+  // constant for Closure::paper. The terminal spins were computed with 40 digits (mpmath, kernels by
+  // quadrature).
   struct Row
   {
     Closure closure;
@@ -122,7 +123,7 @@ TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGrip)
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
 
-TEST(SpinSearch, ReturnsTheFirstOfSeveralZeros)
+TEST(SpinSearch, ReturnsTheFirstOfSeveralTorqueZeros)
 {
   const auto torque = [](double omega) { return -(omega - 1.) * (omega - 3.) * (omega - 4.); };
   expect_relative(find_terminal_spin(torque, { 4., 4.0001 }).omega, 1., 1e-11, "the last one expected");
@@ -193,8 +194,8 @@ TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
 
 TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
 {
-  // The torque jumps by `drop` to a second balance at 0.7 rad/s. `beyond` is added to the stability margin of
-  // the second balance. A change of the torque by `drop` over 2e-3 rad/s is no jump.
+  // At 0.7 rad/s, a second balance begins and the torque jumps by `drop`. `beyond` is added to the stability
+  // margin of the second balance. A change of the torque by `drop` over 2e-3 rad/s is no jump.
   const double end = 0.7, drop = 0.05;
   for (const double width : { 0., 2e-3 })
     for (const double beyond : { 0.1, 0.5 })

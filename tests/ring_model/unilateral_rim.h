@@ -132,7 +132,7 @@ public:
   }
 
 private:
-  /// Returns m for the inverse edge 0 <= kappa = -1/c <= 1 (full contact).
+  /// Returns the moment ratio m in full contact for kappa = -1/c in [0, 1].
   double full_contact_ratio(double kappa) const
   {
     const double decay = std::acosh(1. / kappa);
@@ -154,7 +154,7 @@ private:
     return 2. * p * kappa * a1 / integral([&](double t) { return std::pow(full_pressure(kappa, t), p); }, pi);
   }
 
-  /// Returns m for 0 < s = (1 - c)/2 <= 1 (lift-off).
+  /// Returns the moment ratio m with lift-off for s = (1 - c)/2 in (0, 1].
   double partial_contact_ratio(double s) const
   {
     if (p == 1. && s > 0.02)

@@ -87,7 +87,7 @@ TEST(YawMotion, AgreesWithAPendulum)
   EXPECT_NEAR(turning.ripple, spin * (1. - std::sqrt(1. - modulus * modulus)) / 2., 1e-4);
 }
 
-TEST(YawMotion, FollowsAForcedLinearRing)
+TEST(YawMotion, AgreesWithTheClosedFormOfAForcedLinearRing)
 {
   // Linear ring from rest: I omega' = -c (omega - omega_0) + A cos(nu t).
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
@@ -106,7 +106,7 @@ TEST(YawMotion, FollowsAForcedLinearRing)
   EXPECT_NEAR(spin.ripple, force / std::hypot(damping, inertia * nu), 1e-7);
 }
 
-TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
+TEST(YawMotion, AgreesWithTheClosedFormOfAStiffForcedRing)
 {
   // Closed form of the forced linear ring, with time constants of 1e-5 to 1e-12 s.
   const double damping = 1.2e-3, drive = -3.6, force = 4e-4, nu = 4.6;
@@ -135,7 +135,7 @@ TEST(YawMotion, FollowsAStiffForcedRingThroughItsTransient)
   }
 }
 
-TEST(YawMotion, FollowsAStiffOverdampedSpring)
+TEST(YawMotion, AgreesWithTheClosedFormOfAStiffOverdampedSpring)
 {
   // Overdamped ring I psi'' = -c (psi' - omega_0) - k psi with roots near -c / I and -k / c. The time steps
   // exceed c / k = 6e-3 s, so Newton's method needs the derivative of the torque with respect to the angle.
@@ -161,7 +161,7 @@ TEST(YawMotion, FollowsAStiffOverdampedSpring)
   EXPECT_LT(n_torques, 10000u);
 }
 
-TEST(YawMotion, FollowsAStiffNonlinearDamping)
+TEST(YawMotion, AgreesWithAManufacturedSolutionUnderStiffNonlinearDamping)
 {
   // Manufactured solution: tau = I s'(t) - c (omega + omega^3 - s - s^3) with the spin s(t) = 2 + cos(nu t).
   // The damping varies by a factor of seven within a period.

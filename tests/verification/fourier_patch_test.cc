@@ -124,7 +124,7 @@ struct Cylinder
 
 /// Closed form: u = grad(r^n cos(n theta)) has zero divergence and zero curl, so every isotropic material is
 /// in equilibrium without body forces.
-TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoForces)
+TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoBodyForces)
 {
   for (const unsigned int n : { 2u, 3u, 4u, 5u })
   {

@@ -99,7 +99,7 @@ TEST(ContactDriver, RefusesInvalidLoadsAndLaws)
   EXPECT_THROW(HardInterface().make(foot.body->contact_surface(), -1), std::invalid_argument);
 }
 
-TEST(ContactDriver, ConvergedSolutionsBalanceTheDemand)
+TEST(ContactDriver, ConvergedSolutionsHaveTheGivenResultants)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   for (const double modulus : { 1e8, 1e10, 1e12 })

@@ -52,7 +52,7 @@ ContactDemand friction_and_tilt()
 
 } // namespace
 
-TEST(Derivatives, StiffnessIsTheDerivativeOfThePressure)
+TEST(Derivatives, PressureStiffnessAndPenetrationAreConsistent)
 {
   const auto check = [](const auto &law, double depth)
   {

@@ -80,7 +80,7 @@ TEST(Footprint, WidthContainsNinetyNinePercentOfALoadWithoutEdge)
 
 /// On one half of the rim, the outer half of the land is loaded; on the other half, only a single point at
 /// its outer edge. The loaded width at this point is zero, so the mean pressure must not become 0 / 0.
-TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
+TEST(Footprint, MeanIsFiniteForASingleLoadedPointAndNanWithoutLoad)
 {
   PressureMap footprint;
   footprint.is_grid = true;
@@ -108,8 +108,8 @@ TEST(Footprint, MeanIsFiniteIfASingleEndPointIsLoaded)
   EXPECT_TRUE(std::isnan(measures_of(footprint).mean));
 }
 
-/// The parameters of p_0 (1 - x^2)^a follow from the moments of the pressure on a line.
-TEST(PressureProfile, FollowsFromTheMomentsOfALine)
+/// The parameters of p_0 (1 - x^2)^a are computed from the moments of the pressure on a line.
+TEST(PressureProfile, RecoversTheParametersOfAGivenPressure)
 {
   const double middle = 0.03, half_width = 2e-6, peak = 14e6, azimuth_width = 0.1;
   for (const double exponent : { 0.5, 0.8, 1. })
@@ -146,8 +146,8 @@ TEST(PressureProfile, FollowsFromTheMomentsOfALine)
   }
 }
 
-/// The edges are extrapolated with the square of the pressure. For a Hertz pressure, the square is a
-/// parabola, so the edges are exact even between two grid points.
+/// The edges are extrapolated from the square of the pressure. For a Hertz pressure, the square is a
+/// parabola, so the extrapolated edges are exact even between two grid points.
 TEST(PressureProfile, MapEndsAtTheContactEdges)
 {
   const auto half_width = [](double azimuth) { return 1e-6 * (2 + std::cos(azimuth)); };

@@ -1,5 +1,5 @@
-// Conditions L'f = t with weights L that differ from the motion modes Q, as in a moment balance with a
-// friction arm. Reference: fixed-point iteration over prescribed resultants.
+// Conditions L'f = t on the nodal forces f with weights L that differ from the motion modes Q, as in a moment
+// balance with a friction arm. Reference: fixed-point iteration over prescribed resultants.
 #include "fem/contact/rigid_foot.h"
 #include "fem/contact/sliding_traction.h"
 #include "tests/fem/foot_case.h"

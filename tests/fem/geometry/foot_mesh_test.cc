@@ -30,7 +30,7 @@ double land_area_error(GlassShape shape, unsigned int n_sectors, unsigned int de
 }
 } // namespace
 
-TEST(FootMesh, FollowsTheProfileOfAFoot)
+TEST(FootMesh, VerticesLieOnTheProfileOfAFootAndTheVolumeConverges)
 {
   const GlassProfile profile = foot_profile();
   const double exact = integral_over_section(profile, [](double radius) { return 2 * pi * radius; });

@@ -56,7 +56,7 @@ TEST(MeridianMesh, FillsTheStepProfile)
   }
 }
 
-TEST(MeridianMesh, FollowsTheProfileOfAFoot)
+TEST(MeridianMesh, BoundaryPointsLieOnTheProfileOfAFoot)
 {
   const GlassProfile profile = foot_profile();
   for (const double size : { 0., 1e-5 })

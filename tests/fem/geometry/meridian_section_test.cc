@@ -117,7 +117,7 @@ TEST(MeridianSection, TruncatesASharpEdge)
   EXPECT_NEAR(section.outer_radius(), 0.036 - 0.004 * 0.2 / 3.2, 1e-12);
 }
 
-TEST(MeridianSection, OmitsRedundantPoints)
+TEST(MeridianSection, RedundantPointsHardlyChangeTheProfile)
 {
   Polyline dense;
   const Polyline corners = in_millimetres(plain_foot);

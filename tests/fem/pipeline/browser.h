@@ -27,8 +27,8 @@ std::string troubles_script();
 std::string hostile_text();
 
 /// Runs @p script, the body of an async function, in a page in Chromium and returns its result. Files in @p
-/// scratch have the same origin. Fails the test if the browser prints a message; @p forbids: expects
-/// messages, because a policy forbids an action of the script.
+/// scratch have the same origin. Fails the test if the browser prints a message, unless @p forbids is true: a
+/// policy then forbids an action of the script.
 nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script,
                                 bool forbids = false);
 

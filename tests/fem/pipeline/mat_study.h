@@ -10,7 +10,7 @@
 namespace stemware::test
 {
 
-/// Returns the default glass on a stiff Winkler mat on a rigid table, whose contact is solved fastest.
+/// Returns the default glass on a stiff Winkler mat on a rigid table. This contact is solved fastest.
 inline pipeline::Study mat_study()
 {
   pipeline::Study study;

@@ -16,7 +16,7 @@ namespace
 {
 
 /// Returns the lower triangle of the five-point Laplacian on n x n points, with @p shift added to the
-/// diagonal. Its factors are dense.
+/// diagonal. Its factors have much fill-in.
 LowerTriangle membrane(int n, double shift)
 {
   std::vector<Eigen::Triplet<double>> entries;

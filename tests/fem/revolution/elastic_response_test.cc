@@ -56,7 +56,8 @@ Eigen::MatrixXd dense_compliance(const ElasticResponse &response)
   return compliance;
 }
 
-/// Newton's method with dense matrices for f = law(C f + Q q) and L'f + H q = t.
+/// Newton's method with dense matrices for forces f and table motions q: f = law(C f + Q q) and L'f + H q =
+/// t, with the compliance C, the motion modes Q and the conditions (L, H, t).
 class DenseContact
 {
 public:
@@ -70,7 +71,7 @@ public:
   {
   }
 
-  /// Solves (1 + T C) df + T Q dq = law - f and L' df + H dq = -(L'f + H q - t).
+  /// Solves, with the tangent T, (1 + T C) df + T Q dq = law - f and L' df + H dq = -(L'f + H q - t).
   void step()
   {
     ContactForces contact;

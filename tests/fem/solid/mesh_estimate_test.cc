@@ -96,7 +96,7 @@ double of_body_of_revolution(const GlassProfile &profile, double friction)
 
 } // namespace
 
-TEST(MeshEstimate, EqualsTheErrorOnGoalOrientedMeshesLong)
+TEST(MeshEstimate, IsCloseToTheErrorOnGoalOrientedMeshesLong)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
   const double truth = of_body_of_revolution(profile, 0);
@@ -127,12 +127,12 @@ double ratio_on(const FootResolution &resolution, unsigned int degree, double fr
 }
 
 // Short version of the long tests.
-TEST(MeshEstimate, EqualsTheErrorOnACoarseMesh)
+TEST(MeshEstimate, IsCloseToTheErrorOnACoarseMesh)
 {
   EXPECT_NEAR(ratio_on({ 12, 2, 1 }, 1, 0.3), 1, 0.1);
 }
 
-TEST(MeshEstimate, EqualsTheErrorWithFrictionOrLinearElementsLong)
+TEST(MeshEstimate, IsCloseToTheErrorWithFrictionOrLinearElementsLong)
 {
   for (const auto &[degree, friction] : { std::pair(2u, 0.3), { 1u, 0. } })
     EXPECT_NEAR(ratio_on({ 48, 2, 1 }, degree, friction), 1, 0.2) << "degree " << degree;
@@ -140,7 +140,7 @@ TEST(MeshEstimate, EqualsTheErrorWithFrictionOrLinearElementsLong)
 
 // With the stiff penalty law of a hard table, an estimate from a single Newton step would be too small.
 // Reference: cubic elements graded towards the inner edge of the land and the corners, with an error of 2e-6.
-TEST(MeshEstimate, EqualsTheErrorOfAFlatLandOnAHardTableLong)
+TEST(MeshEstimate, IsCloseToTheErrorOfAFlatLandOnAHardTableLong)
 {
   RevolutionSetup setup;
   setup.profile = flat_profile();

@@ -73,7 +73,7 @@ Texts contact_rows(const Study &study, Texts rows)
   return rows;
 }
 
-TEST(Budget, HarmonicEffectsAreAbsoluteAndRelativeToANonzeroSpin)
+TEST(Budget, RelativeHarmonicEffectIsUndefinedForAGlassAtRestOrReversed)
 {
   const double unit = 0.35 / 0.03;
   const HarmonicEffect effect = harmonic_effect(-3.5, -3.43, unit);
@@ -95,7 +95,7 @@ TEST(Budget, HarmonicEffectsAreAbsoluteAndRelativeToANonzeroSpin)
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).relative);
 }
 
-TEST(Budget, SpinScaleFollowsFromTheMoment)
+TEST(Budget, SpinScaleAgreesWithItsFormula)
 {
   // The scale is 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho.
   Study study = test::mat_study();

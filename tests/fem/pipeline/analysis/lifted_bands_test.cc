@@ -211,8 +211,8 @@ TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
 }
 
 /// Expects that the error bands contain the error in states whose slip vanishes inside the contact at the
-/// terminal spin. Their result converges slowly with the number of rings. The moment ratios increase from @p
-/// smallest_moment in steps of 0.01.
+/// terminal spin. In these states, the spin converges slowly with the number of rings. The moment ratios
+/// increase from @p smallest_moment in steps of 0.01.
 void expect_bands_with_vanishing_slip_hold(double smallest_moment, unsigned int n_states)
 {
   Ratios ratios;

@@ -1,4 +1,4 @@
-// Reference: an independent prototype with an accuracy of 1e-3.
+// Reference: an independent program, accurate to 1e-3 (relative).
 #include "tests/fem/pipeline/analysis/solved_study.h"
 #include "tests/fem/pipeline/mat_study.h"
 

@@ -263,7 +263,7 @@ struct WavyFoot
   Eigen::Vector3d position = { depth, 0, 0 };
 };
 
-TEST(RigidFoot, WavyFootAgreesAtEveryPhase)
+TEST(RigidFoot, WavyFootAgreesWithSumsOverPointsAtEveryPhase)
 {
   WavyFoot foot;
   const SolvedStudy solved(foot.study, test::rigid_foot());

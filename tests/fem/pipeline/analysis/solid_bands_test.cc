@@ -249,7 +249,7 @@ TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 }
 
 // Short version of ContainTheErrorOfAFlatLandOnAHardTableLong: linear elements.
-TEST(SolidBands, AgreeWithTheRevolutionBodyForLinearElementsOnAHardFlatLand)
+TEST(SolidBands, ContainTheErrorOfLinearElementsOnAHardFlatLand)
 {
   Study study = flat_land(0.5);
   study.contact.resolution = { 16, 2, 1 };

@@ -306,7 +306,7 @@ TEST(Reports, FormattedNumbersParseToTheirValues)
   EXPECT_EQ(found_in_browser(scratch, script), nlohmann::json::array());
 }
 
-/// Returns reports whose study names and input files contain the hostile text @p place.
+/// Returns reports whose study or input files have names with the hostile text @p place.
 std::vector<Opened> hostile_reports(const std::string &place)
 {
   std::vector<Opened> reports = opened();

@@ -15,8 +15,8 @@ namespace stemware::test
 namespace
 {
 
-/// Returns the largest difference between adjacent values of the curve @p name; a gap separates values. Adds
-/// the number of values to @p n_values.
+/// Returns the largest difference between adjacent values of the curve @p name; values on both sides of a gap
+/// are not adjacent. Adds the number of values to @p n_values.
 double longest_line(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
 {
   double longest = 0;

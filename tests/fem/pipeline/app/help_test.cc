@@ -61,7 +61,7 @@ TEST(Help, DefaultsOfOneSectionAreAValidStudyFile)
   EXPECT_EQ(stemware(scratch, { "run", "table.prm", "--set", "Load/Source=first harmonic" }).exit_code, 0);
 }
 
-TEST(Help, ReadsAStudyFromStandardInput)
+TEST(StudyOptions, ReadAStudyFromStandardInput)
 {
   const ScratchFolder scratch;
   const std::string study = "subsection Load\n  set Source = first harmonic\nend\nsubsection Motion\n"

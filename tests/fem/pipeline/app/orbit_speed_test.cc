@@ -113,7 +113,7 @@ TEST(OrbitSpeed, AConstantSpeedEqualsTheRunWithoutAFile)
   EXPECT_LT(largest_difference(foot[3], steady), 1e-7 * 0.35 / 0.03);
 }
 
-TEST(OrbitSpeed, StartsFromRest)
+TEST(OrbitSpeed, SpinUpFromRestAgreesWithTheRampByHand)
 {
   const std::vector<double> expected = ramp_by_hand(0, 0.25, 1);
   const auto from_rest = [](const std::string &rows, std::vector<std::string> settings)

@@ -51,9 +51,9 @@ TEST(Truncate, RowsAgreeWithRun)
   }
 }
 
-TEST(Truncate, ListsTheFirstHarmonicAndTheCompleteLoad)
+TEST(Truncate, FirstHarmonicAndCompleteLoadAgreeWithReferences)
 {
-  // Reference: independent prototype with contact and friction in balance at every spin.
+  // Reference: independent program with contact and friction in balance at every spin.
   const double omega = -3.6490;
   const Json &rows = truncated_glass()["truncation"];
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-TEST(RequiredResultants, PaperClosureGivesTheRadialMomentOnly)
+TEST(RequiredResultants, PaperClosureGivesOnlyTheMomentAboutTheXAxis)
 {
   Study study;
   study.motion.closure = ring::Closure::paper;
