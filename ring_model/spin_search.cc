@@ -275,9 +275,9 @@ private:
   }
 
   /// Returns the spin in [0, @p spin] at which the balance is most likely to end; std::nullopt if every
-  /// interval between samples is narrow enough. Near a fold the square of the stability margin is nearly
-  /// linear in the spin, so the lines through neighbouring samples bound the square from below. Their slopes
-  /// are multiplied by `safety`, because the square is not exactly convex.
+  /// interval between samples is narrow enough. The square of the stability margin is nearly convex in
+  /// the spin (linear near a fold), so the lines through neighbouring samples bound it from below. Their
+  /// slopes are multiplied by `safety`, because the square is not exactly convex.
   std::optional<double> unsteadiest(double spin) const
   {
     constexpr double safety = 1.5;
@@ -329,9 +329,9 @@ private:
     return !worst && !wide.empty() ? wide.begin()->second : worst;
   }
 
-  /// Returns the middle of the interval before @p spin in which the torque of an unsteady balance changes
-  /// most; std::nullopt if all changes are small. A large change in the narrowest interval is a jump to
-  /// another balance: the glass tips there, and BalanceLost is thrown.
+  /// Returns the middle of the interval before @p spin with the largest change of the torque at a small
+  /// stability margin; std::nullopt if all changes are small. A large change in the narrowest interval is a
+  /// jump to another balance: the glass tips there, and BalanceLost is thrown.
   std::optional<double> middle_of_jump(double spin) const
   {
     constexpr double unsteady_at_jump = 0.3; // stability margin next to the end of a balance

@@ -173,8 +173,8 @@ private:
   }
 
   /// Returns true if the residual passes the final check but stagnates: a full step without a change of the
-  /// active set, or the last @p n_idle steps (at least `patience`), did not halve it. With the stiff penalty
-  /// of a rigid table, rounding errors may exceed the tolerance.
+  /// active set, or the last @p n_idle steps (at least `patience`), did not halve it. Rounding errors
+  /// under the stiff penalty of a rigid table can keep the residual above the tolerance.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;

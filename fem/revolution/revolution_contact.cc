@@ -48,9 +48,9 @@ struct Path
   }
 };
 
-/// Returns the contact of @p body and @p law under @p conditions. Newton's method does not converge directly,
-/// so the moment grows in steps from zero (contact @p even); a failed step is halved. If the shortest step
-/// fails, throws ContactFailure with the outcome "tipping" if the tilt diverges and the required moment
+/// Returns the contact of @p body and @p law under @p conditions, for which Newton's method does not converge
+/// directly: the moment grows in steps from zero (contact @p even); a failed step is halved. If the shortest
+/// step fails, throws ContactFailure with the outcome "tipping" if the tilt diverges and the required moment
 /// depends on the tilt or on friction, otherwise with the failure of the step.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)

@@ -51,7 +51,7 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the balance of @p study near the spin @p near under the first @p n_harmonics, accurate to 1e-8
+/// Returns the balance of @p study near the spin @p near with the first @p n_harmonics, accurate to 1e-8
 /// rad/s after two or three contact solves that start from @p contact. Returns std::nullopt if the search
 /// fails, if the load does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
