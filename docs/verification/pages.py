@@ -17,8 +17,8 @@ here = pathlib.Path(__file__).resolve().parent
 kinds = {
     "closed form": "a formula evaluated by the test, or an identity (a derivative against differences); no code of Stemware",
     "published": "numbers of a publication; no code of Stemware",
-    "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. A program named with its path prints its numbers again; "
-                  "of the other programs only the numbers are kept",
+    "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. If a program is named with its path, you can run it to get its numbers; "
+                  "of the other programs, only the numbers are kept",
     "plain quadrature": "the definition, integrated numerically; no code of Stemware",
     "other body": "Stemware's other body: the elasticity shares no code; contact driver, interface laws and extraction of the load are the same code, "
                   "so the comparison would not find an error in this code",
@@ -81,7 +81,7 @@ def index(claims):
     n_checks = sum(len(case["checks"]) for c in run for case in c["cases"])
     lines = ["# What are Stemware's numbers checked against?", "",
              f"Each of the {len(claims)} claims below has one or more references. [Five kinds](#kinds-of-references) of references differ in the code that they share with Stemware. "
-             f"{len(run)} claims are studies with {n_checks} numbers that you can run yourself:", "",
+             f"You can run {len(run)} claims as studies, which compare {n_checks} numbers with their references:", "",
              "    python3 /usr/share/stemware/verification/verify.py --quick", "",
              "The script prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
              "With `--quick` only the studies marked in the column *quick* run, otherwise all. "
