@@ -130,7 +130,7 @@ Estimate given_estimate(const std::optional<Estimate> &estimate)
   return *estimate;
 }
 
-/// Returns a_2 / a_0 of the sum over all rings as a goal. The weight determines a_0.
+/// Returns the goal a_2 / a_0 of the load summed over all rings, with a_0 = weight / (2 pi).
 ContactGoal second_harmonic(const Case &study)
 {
   const double mean = study.demand.normal_force / (2 * stemware::ring::pi);
@@ -221,7 +221,8 @@ void run(const Case &study)
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");
   FootResolution resolution = study.resolution;
-  // On a hard table, the first mesh is refined once, because an unrefined mesh has no error estimate.
+  // On a hard table, an unrefined mesh has nodal multipliers, for which no error estimate exists. The first
+  // mesh is therefore refined once.
   for (resolution.refinements = study.solid.table.interface->is_hard();
        resolution.refinements <= study.max_refinements; ++resolution.refinements)
     solve_on(generate_solid_mesh(study.solid.profile, resolution), study, exact, "uniform",

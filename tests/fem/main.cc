@@ -24,8 +24,8 @@ class FailurePrinter : public testing::EmptyTestEventListener
 
 int main(int argc, char **argv)
 {
-  // Settings of Open MPI for a process without mpirun: no daemon (needs ssh), no folder in /tmp (the name is
-  // the same for all processes), no network.
+  // Without mpirun, Open MPI must start no daemon (which needs ssh), make no folder in /tmp (all processes
+  // would use the same name) and use no network.
   if (std::getenv("OMPI_COMM_WORLD_RANK") == nullptr)
   {
     ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);

@@ -32,7 +32,7 @@ inline Wrench wrench_by_quadrature(const std::function<double(double)> &coeffici
   {
     for (unsigned int i = 0; i < n_points; ++i)
     {
-      // The points lie half a cell off psi = 0, where the slip vanishes for eps = 1.
+      // The points lie half a cell off theta = pi / 2, where the slip vanishes for the slip ratio 1.
       const double theta = pi / 2. + (i + 0.5) * width;
       double density = ring.a[0];
       for (unsigned int n = 1; n < ring.a.size(); ++n)

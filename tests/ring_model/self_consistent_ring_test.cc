@@ -45,7 +45,8 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
       Motion motion;
       motion.centre_of_mass_height = 0.09;
       const RingEquilibrium there = SelfConsistentRing(closure, motion, 0.03).at(omega);
-      // Moment balance: M_N = -Delta z k x F + z_CM k x T with F = m a - T.
+      // Moment balance: M_N = -dz k x F + z_CM k x T with the friction T and the force F = m a - T of the
+      // hand.
       const double dz = motion.force_offset, T_x = there.friction.force_x, T_y = there.friction.force_y;
       const double F_y = 0.3 * 0.35 * 0.35 / 0.15 - (closure == Closure::paper ? 0. : T_y);
       const double F_x = closure == Closure::paper ? 0. : -T_x;
@@ -63,7 +64,7 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
     }
 }
 
-TEST(SelfConsistentRing, BalancesUnderStribecksLaw)
+TEST(SelfConsistentRing, BalancesMomentsUnderStribecksLaw)
 {
   Motion motion;
   motion.friction_law = FrictionLawKind::stribeck;

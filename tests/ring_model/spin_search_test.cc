@@ -155,7 +155,7 @@ TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
   EXPECT_NEAR(last_spin(backwards, { 10., -5. }), -2.1, 10. / 4096.);
 }
 
-TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
+TEST(SpinSearch, FindsALossOfBalanceBeforeADistantTorqueZero)
 {
   // The torque rises up to 3 rad/s and vanishes at 6 rad/s, and there is no balance between 1 and 1.2 rad/s.
   // A torque that rises between rest and the zero triggers a scan, which detects this gap.
@@ -168,7 +168,7 @@ TEST(SpinSearch, FindsALossOfBalanceBeforeADistantZero)
   EXPECT_NEAR(last_spin<NoBalance>(torque, { 1., 5.9 }), 1., 1. / 4096.);
 }
 
-TEST(SpinSearch, FindsANarrowGapByTheStabilityMargin)
+TEST(SpinSearch, FindsANarrowGapWithoutBalanceByTheStabilityMargin)
 {
   // The balance ends in a fold, where the stability margin vanishes like the square root of the distance to
   // the fold.

@@ -41,8 +41,9 @@ double half_space_eigenvalue(unsigned int n, double slenderness)
   return -4 * sum + 2 * stemware::verification::integral(beyond_logarithm, 0, pi / 2, 4);
 }
 
-/// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0 by
-/// Newton's method. L = 2 ln(16 R / b_0) + 1; S multiplies harmonic n by half_space_eigenvalue(n).
+/// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0 and the
+/// motions w_0 and w_1 by Newton's method. L = 2 ln(16 R / b_0) + 1; S multiplies harmonic n by
+/// half_space_eigenvalue(n).
 class LineContact
 {
 public:
@@ -123,8 +124,8 @@ private:
 constexpr double slenderness = 0.01;
 constexpr unsigned int n_harmonics = 16;
 
-/// Presses a rigid ring on a disc of ten times the radius of the ring. The crown gives the Hertz half-width
-/// slenderness * radius.
+/// Returns the load of a rigid ring on a disc of ten times the radius of the ring. The crown gives the Hertz
+/// half-width slenderness * radius.
 ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 {
   Substrate substrate;

@@ -215,8 +215,8 @@ ContactCompliance axisymmetric_compliance(const MeridianSpace &space)
 /// Punch pressed on the disc. M is the point on the axis at the top of the disc.
 struct PressedPunch
 {
-  /// @p smallest: cell length at the contact edge [m]. @p modulus: foundation modulus of a stiff mat that
-  /// approximates the hard interface [Pa/m].
+  /// Solves the contact. @p smallest: cell length at the contact edge [m]. @p modulus: foundation modulus of
+  /// a stiff mat that approximates the hard interface [Pa/m].
   explicit PressedPunch(double smallest, double modulus = 1e17)
   {
     const PunchParameters parameters;

@@ -16,7 +16,8 @@
 namespace stemware::verification
 {
 
-/// Default glass on a rigid foot on a counter-clockwise orbit at constant speed, Coulomb friction; SI units.
+/// Default glass with a rigid foot and Coulomb friction on a counter-clockwise orbit at constant speed; SI
+/// units.
 struct LiftedFoot
 {
   double contact_radius = 0.030, crown_radius = 0.003, foundation_modulus = 1e10;
@@ -57,7 +58,7 @@ struct LiftedFoot
     double azimuth_share() const { return edge() / ring::pi; }
     double largest_pressure() const { return foot.foundation_modulus * deepest(0); }
 
-    /// Returns the line load at @p phi [N/rad], the closed form of a parabola across the rim.
+    /// Returns the line load at @p phi [N/rad], the closed form for a parabolic pressure across the rim.
     double line_load(double phi) const
     {
       const double top = std::max(0., deepest(phi)), half_width = std::sqrt(2 * foot.crown_radius * top);
@@ -162,8 +163,8 @@ struct LiftedFoot
   private:
     static constexpr unsigned int n_azimuths = 1440;
 
-    /// Calls visit at Gauss points graded like x^3 towards both ends, because the integrand has square roots
-    /// and kinks at the ends.
+    /// Calls visit(place, weight) at Gauss points graded like x^3 towards both ends, because the integrand
+    /// has square roots and kinks at the ends.
     template <typename Visitor>
     static void for_graded(double from, double to, const Visitor &visit)
     {

@@ -105,7 +105,8 @@ struct PlainRigidFoot
     return points;
   }
 
-  /// Returns the position under a normal force and a moment (sum y f, -sum x f).
+  /// Returns the position under a normal force and a moment (sum y f, -sum x f), from the initial penetration
+  /// @p depth.
   Eigen::Vector3d position_under(double force, double moment_x, double moment_y, double depth) const
   {
     const auto residual = [&](const Eigen::Vector3d &position)

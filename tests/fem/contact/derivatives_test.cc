@@ -118,7 +118,8 @@ TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
   const Eigen::Matrix3d stiffness = motion_stiffness(start.tangent, conditions.weights(), rim.modes),
                         product = conditions.weights().transpose() * start.tangent * rim.modes;
   EXPECT_LT((stiffness - product).norm(), 1e-13 * product.norm());
-  // For a rigid foot, the derivative of L'f + H q with respect to the table motions q is -L'TQ + H.
+  // For a rigid foot, the derivative of the conditions L'f + H q with respect to the table motions q is -L'TQ
+  // + H (tangent T, motion modes Q).
   const Eigen::Matrix3d border = conditions.motion_weights() - product;
   for (unsigned int i = 0; i < 3; ++i)
   {
@@ -171,7 +172,8 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
       }
     }
     const auto friction = stemware::ring::coulomb_wrench(0.3, stemware::ring::RingStack(rings), -4., 0.35);
-    // The balance is M_N = moment + h k x T + N z (-q2, q1), and the conditions are (N, -M_y, M_x).
+    // Balance: moment = (moment_x, moment_y) + h k x T + N z (-q2, q1) with the friction T, h = 0.05 m and
+    // tilt_moment = N z. The conditions are (N, -M_y, M_x).
     const Eigen::Vector2d unbalanced = moment - Eigen::Vector2d(demand.moment_x, demand.moment_y) -
                                        0.05 * Eigen::Vector2d(-friction.force_y, friction.force_x) -
                                        demand.tilt_moment * Eigen::Vector2d(-motion(2), motion(1));

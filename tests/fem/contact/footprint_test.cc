@@ -35,7 +35,7 @@ PressureMap map_of(double reach, const std::function<double(double, double)> &pr
 }
 
 /// The mean of a parabolic pressure is two thirds of the largest pressure of the cut.
-TEST(Footprint, FindsTheEdgesBetweenGridPoints)
+TEST(Footprint, EdgesWidthsAndMeanAgreeWithAParabolicPressure)
 {
   const auto half_width = [](double azimuth) { return 1.5e-4 + 0.5e-4 * std::cos(azimuth); };
   const PressureMap footprint = map_of(2.5e-4,

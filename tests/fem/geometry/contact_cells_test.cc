@@ -149,7 +149,7 @@ TEST(ContactCells, AreWellShapedAndSharedByFootAndDisc)
   }
 }
 
-TEST(ContactCells, HaveTheRequestedSizeInTheFocus)
+TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
 {
   const GlassProfile profile;
   for (const double half_width : { 0.9e-6, 2.5e-6, 1e-5, 1.7e-4 })

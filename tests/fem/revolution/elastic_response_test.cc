@@ -15,9 +15,9 @@ namespace
 constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
-/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N], by the harmonics of a point
-/// force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi, up to n_max. The higher harmonics act on line @p j
-/// only. An azimuthal force gives -sin n(theta - theta_j) C^ztheta / pi.
+/// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N]: the sum over the harmonics
+/// of a point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi. Harmonics above few_harmonics act on line
+/// @p j only. An azimuthal force contributes -sin n(theta - theta_j) / pi times its compliance.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
 {

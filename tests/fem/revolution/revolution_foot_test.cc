@@ -9,8 +9,9 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-/// Reference: Hertz ellipse with the semi-axes b and k b under the force P. R_y / R_x = (k^2 E - K) / (K - E)
-/// and b^3 = 3 P E R' / (pi k E*), with the complete elliptic integrals K and E by quadrature.
+/// Reference: Hertz ellipse with the semi-axes b and k b under the force P, for radii of curvature R_x
+/// (across) and R_y (along). R_y / R_x = (k^2 E - K) / (K - E) and b^3 = 3 P E R' / (pi k E*), with the
+/// complete elliptic integrals K and E by quadrature.
 TEST(HardTable, CrestWidthAgreesWithTheHertzEllipse)
 {
   constexpr double slenderness = 300;

@@ -31,7 +31,7 @@ ContactDemand demand_of(double m)
   return demand;
 }
 
-/// Returns a_2 / a_0 of the sum over both rings as a goal.
+/// Returns the goal a_2 / a_0 of the load summed over both rings.
 ContactGoal second_harmonic()
 {
   const double mean = weight / (2 * pi);
@@ -79,7 +79,8 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// Returns the goal on a body of revolution, with elements of degree 4 on a mesh refined once (error 1e-8).
+/// Returns the value of the goal on a body of revolution, with elements of degree 4 on a mesh refined once
+/// (error 1e-8).
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;

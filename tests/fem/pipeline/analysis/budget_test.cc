@@ -160,7 +160,7 @@ TEST(Budget, ListsTheRowsOfALoadFile)
   EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
 }
 
-TEST(Budget, ListsTheRowsOfAFirstHarmonicLoad)
+TEST(Budget, ListsTheRowsAndSpinsOfAFirstHarmonicLoad)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -357,7 +357,7 @@ TEST(Budget, MarksRowsWithTensileLoads)
 }
 
 } // namespace
-TEST(Budget, SolvesAWavyRimWithoutTheComplianceOfTheInterface)
+TEST(Budget, WavyRimWithoutInterfaceComplianceSpinsAsOnAHardTable)
 {
   Study study = quick_contact_study();
   study.glass.waviness = { { 3, 1e-7, 0 } };

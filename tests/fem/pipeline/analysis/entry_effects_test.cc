@@ -1,5 +1,5 @@
-// If an entry of a study is changed, the terminal spin must change in the first base study to which the entry
-// applies. The list `effects` contains the exceptions.
+// A changed entry must change the terminal spin in the first base study to which the entry applies. The list
+// `effects` contains the exceptions.
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
@@ -231,7 +231,7 @@ void EntryEffects::SetUpTestSuite()
   scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
 }
 
-TEST_P(EntryEffects, ChangeTheExpectedResult)
+TEST_P(EntryEffects, AChangedEntryHasTheListedEffect)
 {
   const Json before = results_of_base();
   const Json after = results_with_the_value();

@@ -186,8 +186,8 @@ TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The contact edge crosses element faces, and the pressure has a kink at the edge. Finer elements do not
-// change the result of a rigid plate, so only another number of contact lines reveals the error.
+// The contact edge crosses element faces, and the pressure has a kink at the edge. The displacement of a
+// rigid plate is exact on every mesh, so the error band must come from another number of contact lines.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })

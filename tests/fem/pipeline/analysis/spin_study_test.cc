@@ -80,7 +80,7 @@ TEST(SpinStudy, BalancesEachBudgetRowWithTheHarmonicsOfThatRow)
   EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
 }
 
-TEST(SpinStudy, ReportsProgressDuringTheSpinUp)
+TEST(SpinStudy, ReportsProgressAndCanBeInterruptedDuringTheSpinUp)
 {
   struct Listener : Progress
   {

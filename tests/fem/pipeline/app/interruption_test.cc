@@ -34,7 +34,7 @@ TEST(Interruption, SignalsLeaveOlderResultsUnchanged)
   const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
-    // The factorisation of the condensed solver takes long enough for the signal.
+    // The factorisation of the condensed solver takes so long that the signal arrives before the run ends.
     RunningProgram program(run_with({ "--set", "Load/Source=contact", "--set", "Contact/Body=solid", "--set",
                                       "Table/Substrate=rigid", "--set", "Contact/Linear solver=condensed" }),
                            scratch.path());

@@ -68,7 +68,7 @@ TEST(QuickRun, ReproducesTheAnswerAndCurvesOfAFullRun)
   expect_equal_tables(runs, "spin_up.csv", 1e-7);
 }
 
-TEST(QuickRun, OmitsBudgetAndBandsAndSaysSoFirst)
+TEST(QuickRun, OmitsBudgetAndBandsAndStatesTheOmissionFirst)
 {
   const TwoRuns &runs = two_runs();
   for (const char *key : { "budget", "without", "error_bands", "one_ring" })

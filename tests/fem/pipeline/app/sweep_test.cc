@@ -92,7 +92,7 @@ TEST(Sweep, AgreesWithSeparateRuns)
     const double mean = one["load"]["a"][0];
     EXPECT_EQ(table.number(row, "omega_terminal (rad/s)"), one["ring"]["omega_terminal"]);
     // `run` starts the search for the spin of the first harmonic at the spin of all harmonics, `sweep` at
-    // rest.
+    // rest; the results agree to the tolerance of the search.
     EXPECT_NEAR(table.number(row, "harmonic_effect (rad/s)"), one["harmonic_effect"]["absolute"], 1e-8);
     EXPECT_EQ(table.number(row, "tau_at_rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment_ratio"), one["load"]["moment_ratio"]);

@@ -187,7 +187,7 @@ TEST(RunResults, SummaryContainsTheGoalOfTheMesh)
   EXPECT_FALSE(solved_run().summary().contains("goal"));
 }
 
-TEST(TruncationResults, ReportTheHarmonicsForATolerance)
+TEST(TruncationResults, ReportTheHarmonicsForAToleranceAndTheReasonOfAFailedRow)
 {
   StudyAnswer run = solved_run();
   std::vector<ring::Answer> &rows = run.spin.rows;

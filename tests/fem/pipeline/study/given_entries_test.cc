@@ -16,7 +16,7 @@ namespace
 using Settings = test::EntryTexts;
 using Names = std::vector<std::string>;
 
-TEST(IdleEntries, AreListedForEachChoiceOfTheModel)
+TEST(UnusedEntries, AreListedForEachChoiceOfTheModel)
 {
   const Settings table = { { "Table/Foundation modulus", "1e9" },
                            { "Table/Decay length", "2e-6" },
@@ -79,7 +79,7 @@ TEST(IdleEntries, AreListedForEachChoiceOfTheModel)
   }
 }
 
-TEST(IdleEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
+TEST(UnusedEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
@@ -95,7 +95,7 @@ TEST(IdleEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
     Names({ "Table/Foundation modulus" }));
 }
 
-TEST(IdleEntries, AreNotGivenInAnyCookbook)
+TEST(UnusedEntries, AreNotGivenInAnyCookbook)
 {
   unsigned int n_studies = 0;
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))
