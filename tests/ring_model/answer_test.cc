@@ -53,7 +53,7 @@ TEST(Answer, AgreesWithTheSelfConsistentRing)
   EXPECT_EQ(all.front().omega, found.terminal->omega);
 }
 
-TEST(Load, SolvesEachSpinOnce)
+TEST(Load, SolvesEachSpinOnceAndStoresUnbalancedSpins)
 {
   unsigned int n_solved = 0;
   const auto solve = [&](double omega) -> Sample

@@ -131,7 +131,7 @@ TEST(SpinSearch, ReturnsTheFirstOfSeveralTorqueZeros)
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
 }
 
-TEST(SpinSearch, StepsBackFromSpinsWithoutABalance)
+TEST(SpinSearch, StepsBackFromSpinsWithoutBalanceAndReportsTheLastSpin)
 {
   const auto torque_up_to = [](double limit, double zero)
   {

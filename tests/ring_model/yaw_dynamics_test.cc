@@ -62,7 +62,7 @@ TEST(OrbitSpeedTable, InterpolatesMonotonicallyAndRefusesInvalidTimesAndSpeeds)
   EXPECT_THROW(OrbitSpeedTable({ 0., 0. }, { 1., 1. }), std::invalid_argument);
 }
 
-TEST(OrbitSpeedTable, AllowsZeroSpeedAtTheStart)
+TEST(OrbitSpeedTable, AllowsZeroSpeedAtTheStartAndFindsTimesOfSpeeds)
 {
   const OrbitSpeedTable table({ 0., 0.5, 1., 2. }, { 0., 0., 0.3, 0.4 });
   EXPECT_TRUE(table.starts_from_rest());

@@ -234,7 +234,7 @@ TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
   }
 }
 
-TEST(YawMotion, AHeldGlassStaysAtRest)
+TEST(YawMotion, AHeldGlassStopsAndStaysAtRest)
 {
   const auto torque = [](double time, double, double omega)
   { return 1e-3 * std::sin(9. * time) - 1e-3 * omega; };

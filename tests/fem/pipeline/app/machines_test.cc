@@ -1,4 +1,4 @@
-// MPI is initialised only for solid feet.
+// MPI is initialised only for solid feet, so other feet do not need Slurm's PMI.
 #include "tests/fem/pipeline/program_runner.h"
 
 #include <gtest/gtest.h>

@@ -26,7 +26,7 @@ TEST(Text, ClosestMatchToleratesTypingErrors)
   EXPECT_EQ(closest_match(std::string(10000000, 'r'), words), std::nullopt);
 }
 
-TEST(Text, ShortensTextsToEightyCharacters)
+TEST(Text, ShortensTextsToEightyCharactersAndKeepsTheEndOfPaths)
 {
   EXPECT_EQ(shortened(std::string(80, 'x')), std::string(80, 'x'));
   EXPECT_EQ(shortened(std::string(81, 'x')), std::string(80, 'x') + "...");
