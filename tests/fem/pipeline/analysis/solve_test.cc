@@ -22,7 +22,7 @@ using namespace stemware::test;
 
 /// Returns the spins of the budget, the spins without each effect and on one ring, and the error bands; 0 for
 /// a missing spin.
-std::vector<double> digits_on(unsigned int n_threads)
+std::vector<double> results_on(unsigned int n_threads)
 {
   const SolvedStudy solved(quick_contact_study());
   fem::ComplianceCache cache;
@@ -41,10 +41,10 @@ std::vector<double> digits_on(unsigned int n_threads)
 
 TEST(Solve, ResultsDoNotDependOnTheThreads)
 {
-  const std::vector<double> one = digits_on(1);
+  const std::vector<double> one = results_on(1);
   EXPECT_GT(one.size(), 30u);
   for (const unsigned int n_threads : { 2u, 4u })
-    EXPECT_EQ(digits_on(n_threads), one) << n_threads;
+    EXPECT_EQ(results_on(n_threads), one) << n_threads;
 }
 
 TEST(Solve, ResultsDoNotDependOnTheOrderOfTheVariants)

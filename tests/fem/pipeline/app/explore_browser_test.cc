@@ -163,7 +163,7 @@ TEST(ExplorePage, SavedPageOpensWithTheSavedValues)
 }
 
 /// Returns the line load at @p angle [N/m] as text, from the Fourier series @p load of a summary.
-std::string pressing(const nlohmann::json &load, double angle)
+std::string line_load_text(const nlohmann::json &load, double angle)
 {
   double value = 0;
   for (std::size_t n = 0; n < load["a"].size(); ++n)
@@ -207,7 +207,7 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
     ASSERT_EQ(found["lesson"].size(), 5u);
     const std::string pressed = boost::replace_all_copy(found["lesson"][1].get<std::string>(), "\u00a0", " ");
     for (const double angle : { ring::pi / 2, -ring::pi / 2 })
-      EXPECT_THAT(pressed, testing::HasSubstr(pressing(moved["load"], angle))) << "at rest";
+      EXPECT_THAT(pressed, testing::HasSubstr(line_load_text(moved["load"], angle))) << "at rest";
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
   }

@@ -17,9 +17,9 @@ namespace
 
 /// Returns the largest difference between adjacent values of the curve @p name; values on both sides of a gap
 /// are not adjacent. Adds the number of values to @p n_values.
-double longest_line(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
+double largest_step(const nlohmann::json &rows, const std::string &name, std::size_t &n_values)
 {
-  double longest = 0;
+  double largest = 0;
   std::optional<double> before;
   for (const auto &row : rows)
     if (row[0] == name)
@@ -28,10 +28,10 @@ double longest_line(const nlohmann::json &rows, const std::string &name, std::si
       const auto value = text == "NaN" ? std::nullopt : std::optional(std::stod(text));
       n_values += value.has_value();
       if (value && before)
-        longest = std::max(longest, std::abs(*value - *before));
+        largest = std::max(largest, std::abs(*value - *before));
       before = value;
     }
-  return longest;
+  return largest;
 }
 
 TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
@@ -65,7 +65,7 @@ TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
   for (const char *curve : { "all harmonics", "first harmonic only", "first harmonic on a ring" })
   {
     std::size_t n_values = 0;
-    EXPECT_LT(longest_line(picture, curve, n_values), 2.6) << curve;
+    EXPECT_LT(largest_step(picture, curve, n_values), 2.6) << curve;
     // The first harmonic on a ring may be tensile, so the glass does not tip.
     EXPECT_EQ(n_values, n_solved + (curve == std::string("first harmonic on a ring") ? n_falls : 0)) << curve;
   }
