@@ -231,10 +231,10 @@ struct SolidBody::SymmetricStep
     return residual;
   }
 
-  /// Returns the decrease of the contact forces due to the increment.
-  Eigen::VectorXd forces_of(const SolidIncrement &of) const
+  /// Returns the decrease of the contact forces due to @p increment.
+  Eigen::VectorXd forces_of(const SolidIncrement &increment) const
   {
-    return body.contact.matrix() * (of.displacement + motions.modes * of.motion);
+    return body.contact.matrix() * (increment.displacement + motions.modes * increment.motion);
   }
 
   /// Returns the increment for the projected residual @p rhs, solved to the residual @p target.

@@ -13,17 +13,16 @@
 
 namespace stemware::pipeline
 {
-
 namespace fs = std::filesystem;
 
 namespace
 {
-
 /// Files in a results folder. `own`: files listed in the stamp, each before its folder; `hidden`: hidden and
 /// system files; `others`: files of the user.
 struct Content
 {
-  std::vector<std::string> own, hidden, others;
+  std::vector<std::string> own, hidden;
+  std::set<std::string> others;
 };
 
 Content content_of(const fs::path &folder)
@@ -44,7 +43,7 @@ Content content_of(const fs::path &folder)
     else if (name[0] == '.' || name == "Thumbs.db" || name == "desktop.ini")
       content.hidden.push_back(path);
     else
-      content.others.push_back(path);
+      content.others.insert(path);
   }
   return content;
 }
@@ -79,7 +78,6 @@ std::string make_partial_folder(const fs::path &target)
   ensure_output(!error, target, " cannot be written (" + error.message() + ");");
   return name;
 }
-
 } // namespace
 
 void require_replaceable(const fs::path &folder)
@@ -98,18 +96,17 @@ void require_replaceable(const fs::path &folder)
 ResultsFolder::ResultsFolder(const fs::path &wanted)
     : target(fs::absolute(wanted.has_filename() ? wanted : wanted.parent_path()).lexically_normal())
 {
-  const auto check = [this]
-  {
-    require_replaceable(target);
-    std::error_code error, no_error;
-    made_parent = !fs::exists(target.parent_path(), no_error);
-    const std::string probe = make_partial_folder(target);
-    if (fs::exists(target, no_error) && fs::is_empty(target, no_error))
-      fs::rename(probe, target, error); // fails if the folder is a mount point
-    fs::remove_all(probe, no_error);
-    ensure_output(!error, target, " cannot be written (" + error.message() + ");");
-  };
-  on_first_rank(check);
+  on_first_rank(
+    [this]
+    {
+      require_replaceable(target);
+      std::error_code error, no_error;
+      const std::string probe = make_partial_folder(target);
+      if (fs::exists(target, no_error) && fs::is_empty(target, no_error))
+        fs::rename(probe, target, error); // fails if the folder is a mount point
+      fs::remove_all(probe, no_error);
+      ensure_output(!error, target, " cannot be written (" + error.message() + ");");
+    });
 }
 
 ResultsFolder::~ResultsFolder()
@@ -117,8 +114,6 @@ ResultsFolder::~ResultsFolder()
   std::error_code error;
   if (!partial.empty() && is_first_rank())
     fs::remove_all(partial, error);
-  if (made_parent)
-    fs::remove(target.parent_path(), error); // fails if the folder still contains results
 }
 
 void ResultsFolder::open()
@@ -139,8 +134,7 @@ void ResultsFolder::publish()
       fs::rename(target / name, whole / name);
     }
     std::string stamp;
-    const std::vector<std::string> names = content_of(whole).others;
-    for (const std::string &name : std::set<std::string>(names.begin(), names.end()))
+    for (const std::string &name : content_of(whole).others)
       stamp += name + '\n';
     write_text_file(whole / stamp_name, stamp);
     while (::rename(whole.c_str(), target.c_str()) != 0)
@@ -175,5 +169,4 @@ void write_output_file(const fs::path &file, const std::string &text)
   write_text_file(partial, text);
   fs::rename(partial, file);
 }
-
 } // namespace stemware::pipeline

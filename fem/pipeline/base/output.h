@@ -5,7 +5,6 @@
 
 namespace stemware::pipeline
 {
-
 /// Text in the first lines of each page and mesh written by Stemware: a later run may overwrite the file.
 inline constexpr char written_by_stemware[] = "written by Stemware";
 /// Name of the file in a results folder that lists the files written by Stemware.
@@ -27,7 +26,6 @@ public:
 
   void open(); ///< creates the partial folder, the same on every rank; collective
   const std::filesystem::path &working_folder() const { return partial; } ///< valid after open()
-  bool made_parent = false; ///< true if the parent of final_folder() was created
   const std::filesystem::path &final_folder() const { return target; }
 
   /// Renames the partial folder and removes older results but no hidden files; on the first rank only. Throws
@@ -44,5 +42,4 @@ void require_writable(const std::filesystem::path &file);
 
 /// Writes @p file under another name and renames it when it is complete. Throws OutputFailure.
 void write_output_file(const std::filesystem::path &file, const std::string &text);
-
 } // namespace stemware::pipeline

@@ -7,7 +7,6 @@ import numpy as np
 
 from . import figures, ring
 from .study import Start
-
 _not_of_the_load = "Motion/Grip torque", "Motion/Yaw inertia"
 
 
@@ -42,7 +41,6 @@ def _require_fittable(time, values, is_angle):
 
 class _Run:
     """Measured run with times since the first point; the spin-up of its study is the initial guess."""
-
     def __init__(self, study, time, omega, angle, sigma, start, zero):
         if (omega is None) == (angle is None):
             raise ring.BadInput("a run has spins or angles; give omega or angle")
@@ -96,9 +94,7 @@ class _Run:
 
 
 class _Problem:
-    """Least-squares problem. Its unknowns x are the free entries and the start and zero of each run that are not fixed,
-    each divided by its scale."""
-
+    """Least-squares problem in x: free entries, start and zero of each run that are not fixed, each divided by its scale."""
     def __init__(self, runs, free, threads):
         self.runs, self.free, self.cache, self.warm = runs, list(free), {}, {}
         self.threads = 1 if any(run.study._study.is_collective for run in runs) else threads
@@ -149,8 +145,8 @@ class _Problem:
             torque, (start, zero) = torques[load_of(r, row)], row[n + 2 * r:n + 2 * r + 2]
             late, found = run.time > start, np.full(run.time.size, np.nan if isinstance(torque, Exception) else zero)
             if late.any() and not isinstance(torque, Exception):
-                own = (dict(zip(self.free, row)).get(path, run.study[path]) for path in _not_of_the_load)
-                found[late] += torque.spin_up(run.time[late] - start, *own)[run.is_angle]
+                own = dict(zip(self.free, row))
+                found[late] += torque.spin_up(run.time[late] - start, *(own.get(one, run.study[one]) for one in _not_of_the_load))[run.is_angle]
             return found
         return np.array([np.concatenate([curve(r, run, row) for r, run in enumerate(self.runs)]) for row in rows])
 
@@ -161,8 +157,8 @@ class _Problem:
             self.cache = {x.tobytes(): (first, np.nan_to_num((np.array(moved) - first).T / 1e-3))}  # NaN after the glass tips
         return self.cache[x.tobytes()]
 
-    def all(self, key):
-        return np.concatenate([getattr(run, key) for run in self.runs])
+
+    all = lambda self, key: np.concatenate([getattr(run, key) for run in self.runs])
 
     def residuals(self, x):
         left = self.evaluate(x)[0] - self.all("values")
@@ -188,13 +184,11 @@ class _Problem:
 class Fit:
     """Result of fit() in SI units.
 
-    names: names of the fitted numbers, entries first. values, standard_errors, units: dicts by name. correlation: matrix in the
-    order of names. residuals: measured less fitted values of all runs. reduced_chi2: with the given sigma, or with the scatter
-    between neighbouring points. runs: one dict per run of the arrays time (since the first point), measured, fitted, residuals
-    and sigma. study: study of the first run with the fitted entries. warnings: sentences about numbers that the data do not
-    determine, and about misfits of the model.
+    names: fitted numbers, entries first. values, standard_errors, units: dicts by name. correlation: matrix in the order of names.
+    residuals: measured less fitted, of all runs. reduced_chi2: with the given sigma, or the scatter between neighbouring points.
+    runs: a dict per run of the arrays time (since the first point), measured, fitted, residuals, sigma. study: study of the first
+    run with the fitted entries. warnings: sentences about undetermined numbers and misfits of the model.
     """
-
     def __init__(self, problem, x):
         covariance, free = problem.covariance(x)
         errors, self.names = np.sqrt(covariance.diagonal()), problem.names
@@ -229,10 +223,9 @@ def fit(study: Any, time: Any, omega: Any = None, free: Any = (), sigma: Any = N
 
     time [s], and omega [rad/s] or angle [rad], counter-clockwise > 0: arrays; points that are not finite are omitted. Several runs:
     lists of arrays, and one value or a list for study, sigma, start and zero. free: paths of entries, the same in all runs, or
-    a dict {path: (value, standard deviation)} of priors (None: no prior). sigma: standard deviation of the values, by default
-    the standard deviation of the residuals. start: time between the first point and the begin of sliding [s]. zero: offset of the
-    gyroscope at rest, by default 0 ± 0.01 rad/s, or angle at the start. start and zero are fitted (None), fixed (a number), or
-    fitted with a prior (value, standard deviation). Warnings are also given as UserWarning.
+    a dict {path: (value, standard deviation)} of priors (None: no prior). sigma: standard deviation of the values, by default of
+    the residuals. start: time from the first point to the begin of sliding [s]. zero: offset of the gyroscope at rest, by default
+    0 ± 0.01 rad/s, or angle at the start. start and zero: None (fitted), a number (fixed), or a prior. Warns by UserWarning.
     """
     from scipy.optimize import least_squares
     n = len(time) if (several := isinstance(time, (list, tuple)) and len(time) > 0 and np.ndim(time[0]) > 0) else 1
