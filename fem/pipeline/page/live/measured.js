@@ -26,8 +26,7 @@ function read(text) {
   const separator = separators.find(one => is_data(sample.trim().split(one).map(number)));
   const cells = lines.map(line => line.trim().split(separator));
   const rows = cells.map(row => row.map(number));
-  const first = rows.findIndex(is_data);
-  const data = rows.filter(is_data);
+  const [first, data] = [rows.findIndex(is_data), rows.filter(is_data)];
   if (first < 0) return [];
   const headings = cells[first - 1]?.length === data[0].length ? cells[first - 1].map(bare) : [];
   const columns = data[0].map((_, i) => ({
@@ -52,9 +51,8 @@ function convert() {
   const end = Math.min(to - from, doc.tables.spin_up ? Math.max(...columns(doc.tables.spin_up).time) : Infinity); // end of the computed curve
   const kept = points.filter(point => point[0] >= 0 && point[0] <= end && point.every(Number.isFinite));
   const step = Math.ceil(kept.length / max_points);
-  const drawn = kept.filter((_, i) => i % step === 0);
   for (const end of ['from', 'to']) $(`measured-${end}-out`).textContent = `${shown(Number($(`measured-${end}`).value), '.2f')} s`;
-  doc.tables.measured = table_of(['time', 'omega'], drawn);
+  doc.tables.measured = table_of(['time', 'omega'], kept.filter((_, i) => i % step === 0));
 }
 
 /** Makes the controls of a measured run. `draw` redraws the spin-up. */
@@ -68,12 +66,10 @@ export function make_measured(draw) {
     delete doc.tables.measured;
     const known = (run.time || []).filter(Number.isFinite);
     const [min, max] = [known[0], known[known.length - 1]];
-    for (const [end, value] of Object.entries({ from: min, to: max }))
-      Object.assign($(`measured-${end}`), { min, max, value });
+    for (const [end, value] of [['from', min], ['to', max]]) Object.assign($(`measured-${end}`), { min, max, value });
     if (run.columns.length) convert();
     const text = run.columns.length ? texts.measured : texts.unreadable;
-    const seconds = range({ values: run.time || [0] });
-    $('measured-status').textContent = say(text, file.name, run.time?.length, shown(seconds, '.3g'));
+    $('measured-status').textContent = say(text, file.name, run.time?.length, shown(range({ values: run.time || [0] }), '.3g'));
     draw();
   };
   $('measured').onchange = e => take(e.target.files[0]);
