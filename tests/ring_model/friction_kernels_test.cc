@@ -20,7 +20,7 @@ using Real =
 
 /// Computes P_n and K_n for n <= 64 from their integrals with 50 digits. The panels are halved towards the
 /// angle of least slip (psi = 0 or pi) until they are shorter than | |eps| - 1 |, about the distance of the
-/// complex singularity from this angle.
+/// integrand's complex singularity from this angle.
 class QuadratureOracle
 {
 public:

@@ -90,7 +90,7 @@ TEST(OrbitSpeedTable, InterpolatesLinearlyOnRequest)
 
 /// Reference for a driven glass, without code of the library. Speeds: monotone cubic of Fritsch and Carlson.
 /// Friction: sums over the rim. Moment balance: M_N = -dz m k x acceleration + (z_CM + dz) k x T. Time
-/// integration: classical Runge-Kutta, with steps that end at the rows and at zero spin.
+/// integration: classical Runge-Kutta, with steps that end at the times of the speed table and at zero spin.
 struct HandByRows
 {
   std::vector<double> times, speeds;
@@ -144,8 +144,8 @@ struct HandByRows
     return friction.row(2).dot(Eigen::RowVector3d(a_0, a_b.x(), a_b.y()));
   }
 
-  /// Returns times [s] and spins [rad/s], with @p n_steps steps per interval of rows. Sets @p held to the
-  /// last time at which the glass stops.
+  /// Returns times [s] and spins [rad/s], with @p n_steps steps between two times of the table. Sets @p held
+  /// to the last time at which the glass stops.
   std::vector<std::pair<double, double>> motion(unsigned int n_steps, double *held = nullptr) const
   {
     constexpr double inertia = 3e-4;

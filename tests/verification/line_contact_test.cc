@@ -22,8 +22,8 @@ namespace
 
 /// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b on a ring of
 /// radius R, in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. For n b << R the
-/// displacement is -4 sum_{k <= n} 1 / (2k - 1). The second term corrects larger n b / R: 2 int p K_0(n |x| /
-/// R) dx of a straight line load minus its logarithmic limit for small n b / R. @p slenderness: b / R.
+/// displacement is -4 sum_{k <= n} 1 / (2k - 1). For larger n b / R, a second term is added: 2 int p K_0(n
+/// |x| / R) dx of a straight line load minus its limit for small n b / R. @p slenderness: b / R.
 double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;

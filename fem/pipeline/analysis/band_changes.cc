@@ -34,8 +34,8 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns a change. Its contribution to @p part of the error band is @p factor times the difference between
-/// the results of @p variant and of the first change of part @p from (of the study if @p from is empty).
+/// Returns a change to @p variant. @p factor times the difference of its results from a reference is added to
+/// @p part of the error band. Reference: first change of part @p from; the study if @p from is empty.
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
@@ -119,8 +119,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
     fewer = with_harmonics(n_harmonics / 2);
     changes.push_back(change_of(from, 0.5, fewer));
   }
-  // To save time, meshes are compared with only a quarter of the elastic harmonics: a change of mesh has the
-  // same relative effect on the higher harmonics.
+  // To save time, meshes are compared with only a quarter of the elastic harmonics: the relative error due to
+  // the mesh is the same with all harmonics.
   if (n_harmonics >= 4 * min_harmonics)
   {
     from = "few harmonics";
@@ -154,7 +154,7 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   return changes;
 }
 
-/// Study on a coarser mesh. `ratio`: coarser cell size over cell size, the minimum over the three directions.
+/// Study on a coarser mesh. `ratio`: its cell size over the study's cell size, minimum over the directions.
 struct CoarserStudy
 {
   Variant variant;
@@ -248,9 +248,9 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
-  // The number of contact lines affects the results only if the contact edge crosses element faces. In a mesh
-  // file, it always does; in a generated mesh, only with lift-off. Contact with nodal multipliers has no
-  // lines.
+  // The number of contact lines affects the results only if the contact edge crosses element faces. With a
+  // mesh file, it always does; with a generated mesh, only if the rim lifts off. Contact with nodal
+  // multipliers has no contact lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
     add_lines(

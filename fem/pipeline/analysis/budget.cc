@@ -113,12 +113,12 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
     add_row(step, "harmonics", study, by_harmonics[i], rows);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // a load file with a single harmonic: the step is zero
+  if (by_harmonics.size() == 1) // in a load file with a single harmonic, the last row equals the first
     add_row(step, "harmonics", study, first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();
-  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact,
-  // although the pressure is not.
+  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
+  // pressure is not, so the status `formal` (tensile load) does not apply.
   if (study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;

@@ -21,7 +21,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Spins and phases at which a study and its changes are compared.
+/// Spins and phases at which the torques of a study and of its changed variants are compared.
 struct EvaluationPoints
 {
   /// 0, 0.5, 1 and 1.5 times the terminal spin, and any spins of add_slope_spins().
@@ -244,8 +244,8 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Evaluates the changed @p foot on the rings of the study's foot @p own, unless @p change concerns the
-/// rings.
+/// Returns the evaluation of the changed @p foot. It uses the rings of the study's foot @p own, unless @p
+/// change concerns the rings.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
@@ -260,8 +260,8 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
   return evaluate(loads, *foot, change.study.motion.orbit, probe);
 }
 
-/// Adds change.factor times the change from @p before to @p after to the part change.part of each error band.
-/// Removes the bands of quantities without a value in @p after.
+/// Adds change.factor times |@p after - @p before| of each quantity to the part change.part of its error
+/// band. Removes the bands of quantities without a value in @p after.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,
               const std::vector<QuantityOfInterest> &after, ErrorBands &bands)
 {
@@ -281,10 +281,9 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
-/// Widens the part "lines" of harmonics whose error vanishes by chance with the lines of this study. The
-/// errors of all harmonics n > 1 have the same cause, the distance of a contact edge from the next line. The
-/// change to four times the lines omits 1/32 of an error (order 5/2), so each part is raised to at least
-/// 1/32 of the largest part.
+/// Raises the part "lines" of each harmonic n > 1 to at least 1/32 of the largest of these parts. With four
+/// times the lines, 1/32 of an error remains (order 5/2). The part of a harmonic may be smaller by chance,
+/// because it depends on the distance of a contact edge from the next line.
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;

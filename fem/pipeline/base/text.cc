@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the edit distance: the number of letters to insert, delete or replace, ignoring case.
+/// Returns the edit distance: the minimum number of letters to insert, delete or replace, ignoring case.
 std::size_t edit_distance(const std::string &from, const std::string &to)
 {
   const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };

@@ -21,8 +21,8 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
   const ring::Status status = spin.answer().status;
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
-  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact,
-  // although the pressure is not.
+  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
+  // pressure is not, so the status `formal` (tensile load) does not apply.
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 

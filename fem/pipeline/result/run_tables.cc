@@ -13,7 +13,7 @@ namespace
 
 constexpr char azimuth[] = "azimuth from the direction of travel";
 
-/// Returns the load lambda_j(theta) of one ring [N/rad], whose mean a_0 may be negative.
+/// Returns the load lambda_j(theta) of one ring [N/rad]. Single rings may have a negative mean a_0.
 double value_of(const ring::RingStack::Ring &ring, double angle)
 {
   double value = ring.a[0];

@@ -15,8 +15,8 @@ using format::number;
 namespace
 {
 
-/// Returns the smallest number of harmonics n such that the rows with n or more harmonics have terminal spins
-/// that deviate from the last row (all harmonics) by at most the fraction @p share.
+/// Returns the smallest sufficient number of harmonics: with this number or more, the terminal spin deviates
+/// from the spin of the last row (all harmonics) by at most the fraction @p share.
 unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
 {
   unsigned int enough = rows.back().harmonics;

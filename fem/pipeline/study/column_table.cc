@@ -146,7 +146,7 @@ private:
   }
 
   /// Returns the layout of a table without a heading: the columns in their given order, in SI units. Throws
-  /// BadInput if the first row seems to be a heading, because it does not name the columns.
+  /// BadInput if the first row seems to be a heading that does not name the columns.
   Layout layout_without_heading() const
   {
     const TableRow &row = table.rows.front();

@@ -44,8 +44,8 @@ double norm(const ContactSurface &surface, const Eigen::VectorXd &forces)
   return std::sqrt(surface.parts.sum(forces.squaredNorm()));
 }
 
-/// Returns the limit of solutions under prescribed resultants, each corrected by the friction of its
-/// predecessor.
+/// Returns the limit of a fixed-point iteration: the prescribed resultants of each contact solution are
+/// corrected by the friction moment of the previous solution.
 ContactSolution by_fixed_point(ElasticBody &body, TableLaw &law)
 {
   const ContactSurface &surface = body.contact_surface();

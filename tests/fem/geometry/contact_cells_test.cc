@@ -27,7 +27,7 @@ struct RandomSection
 };
 
 /// Returns a random section: the land is 0.5 to 4 mm wide, the foot up to six times as thick. In most
-/// sections, cells are refined towards a focus on the land by up to twelve halvings.
+/// sections, up to twelve halvings refine the cells towards a narrow strip of the land (focus).
 RandomSection random_section(unsigned int seed)
 {
   std::mt19937 engine(seed);

@@ -38,7 +38,7 @@ TEST(GlassProfile, UndersideIsTangentialToTheLand)
   const GlassProfile profile = foot_profile();
   EXPECT_EQ(profile.underside(0), 0.003);
   EXPECT_NEAR(profile.underside(0.014), 0.003 * 9 / 16,
-              ulps(15, profile.underside_rise)); // the rise is (1 - 1/4)^2 of the total half-way to the land
+              ulps(15, profile.underside_rise)); // half-way to the land: (1 - 1/4)^2 of the rise on the axis
   for (const double on_land : { 0.028, 0.030, 0.032 })
     EXPECT_EQ(profile.underside(on_land), 0);
   EXPECT_NEAR(profile.underside(0.033), 0.00025, ulps(15, profile.underside_rise));

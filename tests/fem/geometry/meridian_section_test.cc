@@ -109,8 +109,8 @@ TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
 
 TEST(MeridianSection, TruncatesASharpEdge)
 {
-  // The wedge at the edge is 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point the foot is 4
-  // mm thick. The edge is cut off where the wedge is a twentieth as thick, 0.2 mm.
+  // The wedge at the edge is 3.2 mm thick at r = 32 mm and sharp at 36 mm. At the lowest point, the foot is 4
+  // mm thick. The edge is cut off where the wedge is 0.2 mm thick, a twentieth of 4 mm.
   const MeridianSection section(in_millimetres(
     { { 0, 2 }, { 30, 0 }, { 32, 0.8 }, { 36, 2.4 }, { 32, 4 }, { 5, 4 }, { 5, 12 }, { 0, 12 } }));
   EXPECT_NEAR(section.topside(0.030) - section.underside(0.030), 0.004, ulps(16, 0.03));

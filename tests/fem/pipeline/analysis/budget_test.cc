@@ -83,8 +83,8 @@ TEST(Budget, RelativeHarmonicEffectIsUndefinedForAGlassAtRestOrReversed)
   const HarmonicEffect of_rounding = harmonic_effect(0.9e-9 * unit, 1e-12, unit);
   EXPECT_TRUE(of_rounding.absolute);
   EXPECT_FALSE(of_rounding.relative);
-  // A difference below 1e-9 `unit` is rounding and counts as zero. The relative effect on a glass that rests
-  // or reverses its spin is undefined.
+  // A difference below 1e-9 `unit` is set to zero, because it consists of rounding errors. The relative
+  // effect on a glass that rests or reverses its spin is undefined.
   EXPECT_EQ(relative_to(-3.5, 0.9e-9 * unit, unit), 0.);
   EXPECT_FALSE(harmonic_effect(-10.55, 0.9e-9 * unit, unit).relative);
   EXPECT_NEAR(*harmonic_effect(-10.55, 0.9e-9 * unit, unit).absolute, 10.55, 1e-7);

@@ -57,7 +57,7 @@ struct LiftedState
   }
 };
 
-/// Maximum height of the centre of mass with a terminal spin [m], by independent code.
+/// Maximum height of the centre of mass at which a terminal spin exists [m], by independent code.
 constexpr double largest_height = 0.134575746;
 
 /// Ratios error / error band of each quantity.

@@ -111,8 +111,8 @@ TEST(Fall, AgreesWithOtherCodeForARigidFoot)
   }
 }
 
-// Within 2e-7 m below the maximum z_CM with a terminal spin, a narrow range of spins has two balances. No
-// command may jump from one balance to the other.
+// A terminal spin exists up to a maximum height z_CM. Within 2e-7 m below this height, the moment balance has
+// two solutions in a narrow range of spins. All commands must stay on the same solution.
 TEST(Fall, RunTruncateAndSweepFindTippingAtTheSameHeights)
 {
   Study study = mat_study();

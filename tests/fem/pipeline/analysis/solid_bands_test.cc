@@ -107,7 +107,7 @@ void expect_band_of_flat_land(double moment_ratio)
   EXPECT_LT(solid[index_of(solid, "a4")].band, 1e-2); // relative to a_0
 }
 
-/// Returns a foot from a mesh file, with linear elements on a mat, without friction coupling.
+/// Returns a study of a foot from a mesh file: linear elements, on a mat, without friction coupling.
 Study study_of_mesh(const std::string &file)
 {
   Study study = test::mat_study();

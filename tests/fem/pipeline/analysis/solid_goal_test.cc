@@ -16,8 +16,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns a foot with lift-off. The numbers of lines and load harmonics are fixed, so that only the mesh
-/// contributes to the error.
+/// Returns a study of a foot with lift-off. The numbers of lines and load harmonics are fixed, so that only
+/// the mesh contributes to the error.
 Study lifting_foot()
 {
   Study study = test::mat_study();

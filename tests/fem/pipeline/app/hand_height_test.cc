@@ -1,5 +1,5 @@
-// If the hand moves through the centre of mass, the spin changes its sign. With the first harmonic only, the
-// load becomes tensile and the spin jumps. With all harmonics, the spin is continuous.
+// If the height of the hand is varied across the centre of mass, the spin changes its sign. With the first
+// harmonic only, the load becomes tensile and the spin jumps. With all harmonics, the spin is continuous.
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"

@@ -28,7 +28,7 @@ double truncated_spin(const std::string &setting)
 TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
 {
   // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
-  // The first harmonic of the contact without tilt has the closed form of a ring (second row of the budget).
+  // Without tilt, the spin of the first harmonic equals the closed form for a ring (second budget row).
   const std::vector<std::string> thick_foot = { "Motion/Mass=0.566464",
                                                 "Motion/Centre of mass height=0.0531084",
                                                 "Motion/Force offset=-0.05",
