@@ -142,7 +142,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
 Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
 {
   constexpr unsigned int max_doublings = 8;
-  constexpr double near_stagnation = 0.25; // width below which equidistant points converge slowly
+  constexpr double near_stagnation = 0.25; // width below which the trapezoidal rule converges slowly
   const double product = std::sqrt(slip.speed * slip.rim);
   const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
   const bool is_smooth = width > near_stagnation;
@@ -190,7 +190,7 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // For omega < 0 the minimum slip is at theta = -90 deg; this reflection changes the signs of some kernels.
+  // For omega < 0 the minimum slip is at theta = -90 deg instead of 90 deg: some kernels change their sign.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

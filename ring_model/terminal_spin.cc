@@ -25,7 +25,7 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error &) // the glass tips near omega; a narrower step may stay in balance
+    catch (const std::runtime_error &) // the glass tips near omega, possibly not within a narrower step
     {
       if (step <= narrow)
         throw;
@@ -84,7 +84,7 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
-  // The torque may have the other sign at a local minimum of |torque|, so a sample is added at the minimum.
+  // The torque may change its sign twice near a sample of locally minimum |torque|, so the extremum is added.
   for (unsigned int i = 1; i < n_intervals; ++i)
   {
     const double sign = samples[i].second < 0. ? -1. : 1.;

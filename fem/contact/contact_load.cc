@@ -257,8 +257,8 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
 unsigned int n_line_parts(std::size_t n_rings)
 {
   // Four Gauss points are exact for polynomials of degree 7, the degree of the interpolation with 8 rings.
-  // With 25 rings (nine parts), on a line twice as long as the contact is wide, the radial moments are
-  // accurate to 1e-4 (order 12) and 1 % (order 24).
+  // With 25 rings (nine parts), on a line twice as long as the contact width, radial moments of order 12 are
+  // accurate to 1e-4, and radial moments of order 24 to 1 %.
   constexpr std::size_t max_rings_of_four_points = 8;
   return n_rings <= max_rings_of_four_points ? 1 : static_cast<unsigned int>(n_rings / 3 + 1);
 }

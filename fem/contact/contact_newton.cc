@@ -24,7 +24,7 @@ constexpr unsigned int min_nodes_across = 4;
 
 /// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
 /// vector): the minimum distance, along @p direction, to a tangent of the hull. With a moment balance, the
-/// weights of the moment conditions replace (x, y). The hull of a ring is assumed to be a circle.
+/// weights of the moment conditions replace the positions. The hull of a ring is assumed to be a circle.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)
@@ -417,7 +417,7 @@ ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearCond
   else
   {
     body.reset();
-    // The whole contact zone is loaded at the penetration of `pressed_in`.
+    // After the table motion `pressed_in`, the whole contact zone is loaded.
     const ContactSurface &surface = body.contact_surface();
     const double greatest_gap = surface.parts.max_entry(surface.node_gap);
     const double rise = greatest_gap + surface.parts.max_entry(-surface.node_gap);

@@ -143,8 +143,8 @@ private:
     return border;
   }
 
-  /// Maps the square [-1, 1]^2 to the core. The map changes from a plain square at the centre to the mean of
-  /// this square and a disc with equally spaced azimuths at the border.
+  /// Maps the square [-1, 1]^2 to the core by blending a square with a disc of equally spaced azimuths. The
+  /// weight of the disc is 0 at the centre and 1/2 at the border.
   static Point<2> core_point(double x, double y, double corner_radius)
   {
     const double size = std::max(std::abs(x), std::abs(y));

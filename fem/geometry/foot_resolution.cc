@@ -19,7 +19,7 @@ unsigned int edge_halvings_for(const GlassProfile &profile, bool table_is_hard)
   if (!table_is_hard || profile.crown_radius != 0)
     return 0;
   // At a step's right-angled edge the pressure is finite, so two halvings suffice. Next to a smooth underside
-  // it is singular and the contact is a few 0.01 mm wide, which needs five halvings.
+  // the pressure is singular and the contact is a few 0.01 mm wide, which needs five halvings.
   return profile.shape == GlassShape::step ? 2 : 5;
 }
 

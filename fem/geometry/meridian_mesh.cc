@@ -155,7 +155,7 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   return max_below;
 }
 
-/// Halves cells until the contact cells match @p contact and every other cell meets its size bound.
+/// Halves cells until the contact cells have the borders of @p contact and the others meet their size bound.
 void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {
@@ -180,8 +180,8 @@ void divide(const ContactCells &contact, const MeridianResolution &resolution,
   }
 }
 
-/// Marks the boundary and refines, first around the focus and then globally. In this order, meshes with
-/// different numbers of global refinements are nested.
+/// Marks the boundary and refines, first around the smallest contact cells (focus) and then globally. In this
+/// order, meshes with different numbers of global refinements are nested.
 void refine(double clamped_height, const GlassProfile &profile, const ContactCells &contact,
             const MeridianResolution &resolution, Triangulation<2> &triangulation)
 {
@@ -198,8 +198,8 @@ double largest_cell(const GlassProfile &profile)
   return 1.25 * profile.thickness();
 }
 
-/// Appends the radial grid lines up to the edge of the foot. With a focus, the cells next to the land are
-/// twice as large as the coarse contact cells.
+/// Appends the radial grid lines up to the edge of the foot. If contact cells are halved (focus), the cells
+/// next to the land are at most twice as large as the coarse contact cells.
 void append_foot(const GlassProfile &profile, const ContactCells &contact, GridLines &radii)
 {
   const double size = largest_cell(profile);
@@ -240,8 +240,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the rows from the land up to @p end. With a focus, the lowest row is at most as high
-/// as the coarse contact cells are wide.
+/// Returns the growth of the rows from the land up to @p end. If contact cells are halved (focus), the lowest
+/// row is at most as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };

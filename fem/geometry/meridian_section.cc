@@ -218,8 +218,8 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // The fillet ends at the first segment of the foot (of the stem) that deviates from the mean direction of
-  // the foot (from the vertical) by less than 15 % of the angle between this direction and 45 degrees.
+  // On the foot, the fillet ends at the first segment that deviates from the mean direction by less than 15 %
+  // of the angle between this direction and 45 degrees. On the stem, the direction is the vertical.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

@@ -43,8 +43,8 @@ void require_shared_nodes(const MeshContent &content)
   for (const unsigned int i : corners)
     for (const double coordinate : content.points[i])
       size = std::max(size, std::abs(coordinate));
-  // The tolerance is far above rounding and far below a cell. The offset keeps round coordinates away from
-  // the borders of the bins.
+  // The tolerance is far larger than rounding errors and far smaller than a cell. The offset keeps round
+  // coordinates away from the borders of the bins.
   const double tolerance = 1e-7 * size, offset = 0.2137;
   std::vector<std::array<double, 4>> places; // coordinates in units of the tolerance, and the index
   for (const unsigned int i : corners)

@@ -23,7 +23,7 @@ void make_local(Index n, const double *normal, const double *radial, const Lanes
           normal[i * n + k] + (radial ? radial[i * n + k] * slides[k].value[lane] : 0);
 }
 
-/// Computes row @p i of the tangent (@p bands) times @p table, for the first @p n_columns columns.
+/// Adds row @p i of the product of the tangent (@p bands) and @p table to @p result.
 STEMWARE_TARGET_CLONES
 void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes *__restrict table,
                    Index n_columns, Lanes *__restrict result)

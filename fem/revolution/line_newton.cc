@@ -18,8 +18,8 @@ namespace
 /// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
 /// norm of the compliance.
 constexpr double step_accuracy = 1e-4;
-/// From this number of functions on (a land wide compared with the wavelength of the highest harmonic), an
-/// inexact step is accepted if it reduces the error at least to the fraction slowest_contraction.
+/// If at least this number of polynomials is needed (land wide compared with the shortest wavelength), an
+/// inexact step is accepted if it reduces the error to at most the fraction slowest_contraction.
 constexpr Eigen::Index many_functions = 10;
 constexpr double slowest_contraction = 0.2;
 

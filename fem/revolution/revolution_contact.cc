@@ -48,10 +48,9 @@ struct Path
   }
 };
 
-/// Returns the contact of @p body and @p law under @p conditions, for which Newton's method does not converge
-/// directly: the moment grows in steps from zero (contact @p even); a failed step is halved. If the shortest
-/// step fails, throws ContactFailure with the outcome "tipping" if the tilt diverges and the required moment
-/// depends on the tilt or on friction, otherwise with the failure of the step.
+/// Returns a contact for which Newton's method does not converge directly: the moment grows in steps from
+/// zero (solution @p even), and a failed step is halved. If the shortest step fails, throws its
+/// ContactFailure, or "tipping" if the tilt diverges and the required moment depends on the tilt or friction.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {
@@ -206,7 +205,7 @@ ContactSolution RevolutionContact::solve_softened(const ContactStart &start)
 
 bool RevolutionContact::is_stable(ContactSolution &solution) const
 {
-  // Below this moment ratio the whole rim is in contact, and the glass resists tilt as if it were upright.
+  // Below this value of 2 moment / (normal force * radius), the whole rim stays in contact.
   constexpr double moment_ratio_of_lift_off = 1;
   const ContactSurface &surface = body.contact_surface();
   const Eigen::Vector2d moment = surface.node_position.transpose() * solution.forces;

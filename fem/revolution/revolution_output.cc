@@ -167,7 +167,7 @@ private:
     return force;
   }
 
-  /// Returns the output nodes of @p cell. Divides contact cells along the face, to a load error of 0.5 %.
+  /// Returns the output nodes of @p cell. Contact cells are divided until the load is accurate to 0.5 %.
   CellGrid grid_of(const Cell &cell, unsigned int n_contact_cells) const
   {
     const unsigned int face = contact_face(cell);

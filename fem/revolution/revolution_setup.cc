@@ -124,7 +124,7 @@ double expected_half_width(const RevolutionSetup &setup, double normal_force)
     of_bodies = std::sqrt(of_bodies * std::max(of_bodies, crest_half_width(setup, normal_force)));
   if (setup.table.substrate)
   {
-    // A layer thinner than the contact is wide acts as independent springs of modulus E / thickness.
+    // A layer thinner than the contact width acts as independent springs of modulus E / thickness.
     const WinklerInterface layer(setup.table.substrate->material.young_modulus /
                                  setup.table.substrate->disc.thickness);
     of_bodies =

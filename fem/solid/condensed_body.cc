@@ -99,7 +99,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
 {
   // ds + T (C ds + Q dq) = f - s, L'(s + ds) + H (q + dq) = t, with nodal forces s, forces f of the table
   // law, table motions q, compliance C, tangent T, modes Q of the table motions, weights L and targets t of
-  // the conditions, and motion weights H. Nodes without tangent have ds = f - s.
+  // the conditions, and motion weights H. Nodes with zero tangent have ds = f - s.
   const std::vector<Eigen::Index> loaded = nodes_with_tangent(tangent);
   const Eigen::VectorXd unbalanced = forces - state;
   increment = unbalanced;
@@ -108,7 +108,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
   Eigen::MatrixXd system = (tangent * matrix()(Eigen::all, loaded))(loaded, Eigen::all);
   system.diagonal().array() += 1;
-  // The right-hand sides are [T Q, f - s - T C ds] with ds at the nodes without tangent.
+  // Right-hand sides: T Q, and f - s - T C ds, where ds is the increment at the nodes with zero tangent.
   Eigen::MatrixXd solved(system.rows(), 4);
   solved << tangent_modes(loaded, Eigen::all), unbalanced(loaded) - of_rest(loaded, 0);
   solved = system.partialPivLu().solve(solved).eval();

@@ -54,7 +54,7 @@ struct FootNumbers
   double softening = 8;
   /// Penalty of the multipliers relative to E / (cell size), and residual reduction of a linear solve between
   /// their updates. One update leaves half the error of the highest modes with a penalty of 1, and a tenth
-  /// with 10. With 100, the linear solves need more iterations than the updates save.
+  /// with 10. With 100, the linear solves need more additional iterations than fewer updates save.
   double penalty = 10, reduction = 0.1;
   /// Ratio of the tolerances of consecutive multiplier solves, about the fraction of the error that remains
   /// after one update.

@@ -68,8 +68,8 @@ struct StepNumbers
 
   /// Target residual relative to the forces: a fifth of the tolerance of Newton's method.
   double unbalanced_share = 2e-10;
-  /// Maximum residual reduction factor of a linear solve. With a larger factor, Newton's method needs more
-  /// steps and as many iterations in total.
+  /// Largest allowed ratio of final to initial residual of a linear solve. A larger ratio needs more Newton
+  /// steps and saves no linear iterations in total.
   double least_reduction = 1e-3;
   /// A step whose target is within this factor of the final target is solved to the final target, because a
   /// few iterations cost less than another step.
@@ -77,7 +77,7 @@ struct StepNumbers
 
   /// Tolerances of W = (K + B' T B)^-1 G: loose in the preconditioner, tight in close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is omitted if the V-cycle alone captures at least this fraction of the effect of the table motions.
+  /// W is omitted if the Schur complement is at least this fraction of C for every table motion.
   double small_border = 0.2;
   /// Growth factor of the table's stiffness after which the decision on W is repeated.
   double much_stiffer = 4;
@@ -405,7 +405,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
 void SolidBody::close_conditions(const LinearConditions &conditions, const ScaledMotions &motions,
                                  const Eigen::Vector3d &missing, SolidIncrement &solution) const
 {
-  // For any table motion q, adding (-W q, q) gives another solution of the body. With q = `further`, the
+  // Adding (-W q, q) preserves the equilibrium of the body for any table motion q. With q = `further`, the
   // forces fulfil the conditions.
   Eigen::MatrixX3d response(motions.modes);
   for (unsigned int i = 0; i < 3; ++i)

@@ -19,8 +19,8 @@ namespace stemware::ring
 namespace
 {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-/// Returns the averaging window of the mean spin [s]: the maximum of 16 slowest periods and 8 decay times.
-/// The period of the glass is limited, because it diverges if the glass turns at the rate of the orbit.
+/// Returns the averaging window [s]: max(16 T, 8 tau) with the longest period T and the decay time tau. The
+/// period of the glass is limited, because it diverges if the glass turns at the rate of the orbit.
 double averaging_window(const PhasePeriods &periods, const Motion &motion, const TerminalSpin &terminal)
 {
   const double orbit = std::abs(motion.orbit_rate());

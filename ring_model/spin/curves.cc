@@ -17,7 +17,7 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m], constant beyond the fall because an integrator may step too far.
+/// Returns friction plus lean torque [N m]; constant beyond the spin of the fall, which a step may exceed.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
