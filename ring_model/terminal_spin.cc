@@ -25,7 +25,7 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     {
       return torque_slope(torque, omega, step);
     }
-    catch (const std::runtime_error &) // the glass tips near omega, possibly not within a narrower step
+    catch (const std::runtime_error &) // the glass tips near omega, but perhaps not within `narrow`
     {
       if (step <= narrow)
         throw;

@@ -12,7 +12,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum azimuth difference between lines of the same cut [rad], far above rounding.
+/// Maximum azimuth difference between lines of the same cut [rad], far larger than rounding errors.
 constexpr double azimuth_tolerance = 1e-7;
 
 std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))

@@ -31,7 +31,7 @@ std::array<unsigned int, 4> sorted(std::array<unsigned int, 4> corners)
   return corners;
 }
 
-/// Throws UnreadableMesh if corners coincide without sharing a node: such cells look connected but are not.
+/// Throws UnreadableMesh if different nodes at cell corners coincide, so that the cells are not connected.
 void require_shared_nodes(const MeshContent &content)
 {
   std::vector<unsigned int> corners;

@@ -139,8 +139,8 @@ RevolutionSetup RevolutionSetup::resolved_for(double normal_force) const
 {
   RevolutionSetup resolved = *this;
   resolved.normal_force = normal_force;
-  // On a much more compliant substrate, a rigid foot uses the mesh of the elastic foot, so that the results
-  // differ only by the model.
+  // On a substrate much more compliant than the foot, a rigid foot uses the mesh of the elastic foot, so that
+  // the results differ only by the model.
   RevolutionSetup as_elastic = *this;
   as_elastic.foot_is_rigid = false;
   const bool is_meshed_as_elastic =

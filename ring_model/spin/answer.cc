@@ -62,7 +62,7 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
   const PhaseSampledLoad &phases = *load.phases();
   const Motion &motion = question.motion;
   TerminalSpin &spin = *found.terminal;
-  // Inertia only reduces the ripple, so the spin remains between the zeros of the torques at the phases.
+  // Inertia reduces the ripple, so the spin remains between the extreme zeros of the torques at fixed phases.
   double largest_torque = 0;
   for (unsigned int i = 0; i < phases.phases().size(); ++i)
     largest_torque =
@@ -105,7 +105,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
   SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
-  search.tolerance = 1e-11; // contact solutions are accurate to at least 1e-10 of the load
+  search.tolerance = 1e-11; // a tenth of the maximum relative error of a contact solution
   search.initial_guess = question.initial_guess != 0 ? question.initial_guess : expected_spin(load, motion);
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };

@@ -155,7 +155,7 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
     return find_or_nullopt(
       [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
-  // The load is steep near the end of the balance, so the tolerance is relaxed after `usual_samples` samples.
+  // The load changes steeply near the end of the balance. A tight tolerance would need too many samples.
   CurveTolerance near_fall;
   near_fall.relaxed = near_fall.coarsest;
   if (found.fall)
