@@ -205,7 +205,7 @@ struct Tally
 {
   unsigned int n_spins = 0;
   unsigned int n_held = 0;
-  std::vector<double> excess; ///< ratios of error band and true error
+  std::vector<double> excess; ///< ratios of error band to true error
 
   void add(const BandedQuantity &banded, double error)
   {

@@ -11,8 +11,8 @@
 //
 // goal=spin: terminal spin of a study with this foot. The moment is computed from the moment balance (moment=
 // is ignored). offset=1.6: factor on the default distance of the hand from the centre of mass. friction=0
-// switches the deformation by friction off; mu keeps its default. The first mesh is the study's (uniform= is
-// ignored).
+// switches the deformation by friction off; mu keeps its default. The first mesh is the study's mesh
+// (uniform= is ignored).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/goal_mesh.h"

@@ -339,8 +339,8 @@ TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
 
 TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
 {
-  // The averaging windows of 25 s are 2e4 to 6e5 time constants long. Up to 4e4 time constants the steps are
-  // explicit, above implicit.
+  // The averaging windows of 25 s are 2e4 to 6e5 time constants long. The steps are explicit up to 4e4 time
+  // constants, and implicit in longer windows.
   MarkedRing ring;
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
   {

@@ -86,7 +86,7 @@ struct Cylinder
     return constraints;
   }
 
-  /// Returns the largest force K_n u at an inner node, divided by the largest contribution of a single node.
+  /// Returns the largest force K_n u at an inner node, divided by the largest contribution of a node to it.
   double unbalanced_force(unsigned int harmonic, const Field &field) const
   {
     AffineConstraints<double> none;

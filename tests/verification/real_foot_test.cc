@@ -28,7 +28,7 @@ double observed_order(const GlassProfile &profile)
 
 TEST(RealFoot, HarmonicsConvergeFasterThanOnTheStep)
 {
-  // At the 270-degree corners of the step, the displacement varies like the distance to the power 0.54.
+  // At the 270-degree corners of the step, the displacement varies like r^0.54 with the distance r.
   EXPECT_GT(observed_order(foot_profile()), 3.4);
   EXPECT_LT(observed_order(GlassProfile()), 2.2);
 }

@@ -1,5 +1,5 @@
-// The solid foot uses the friction of the previous iteration; the body of revolution has the friction in its
-// matrix.
+// The solid foot applies the friction of the previous iteration as a given traction. In the body of
+// revolution, the friction is part of the matrix.
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
 #include "fem/revolution/meshed_revolution_foot.h"

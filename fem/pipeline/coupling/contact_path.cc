@@ -67,7 +67,7 @@ std::optional<fem::ContactStart> ContactPath::between(std::vector<const Found *>
                                                       std::size_t n_least)
 {
   constexpr std::size_t max_points = 4;
-  constexpr double largest_sum = 8; // maximum of sum |weight|; a larger sum means extrapolation too far
+  constexpr double largest_sum = 8; // maximum of sum |weight|, which grows with the extrapolation distance
   std::sort(points.begin(), points.end(),
             [&](const Found *one, const Found *other) {
               return std::abs(one->slip.spin_per_speed - spin) < std::abs(other->slip.spin_per_speed - spin);

@@ -18,7 +18,7 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Returns every k-th value and the last value. The default @p max_size is the resolution of a picture.
+/// Returns at most @p max_size of @p values, equally spaced, and the last one. Default: picture resolution.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
@@ -49,7 +49,7 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
 }
 
 /// Returns the friction torque about the axis per angle at @p place, divided by the radius and by the
-/// friction of the mean load.
+/// friction force per angle under the mean load.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);

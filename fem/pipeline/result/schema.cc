@@ -22,7 +22,7 @@ Json columns_of(const Table &table)
   return columns;
 }
 
-/// Returns an error band of every quantity that converge.csv may contain.
+/// Returns error bands of all quantities that converge.csv may contain.
 ErrorBands all_bands()
 {
   LoadReport load;

@@ -155,7 +155,7 @@ TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
   EXPECT_NEAR(
     least_load({ { 0, 9 }, { 2.8, parabola(2.8) }, { 3.1, parabola(3.1) }, { 3.7, parabola(3.7) } }), 0.2,
     1e-13);
-  // A compressive load has no negative minimum, even if the parabola has.
+  // A compressive load has no negative minimum, even if the parabola through three samples has one.
   EXPECT_EQ(least_load({ { 0, 1 }, { 1, 1e-6 }, { 2, 0.9 }, { 4, 5 } }), 0);
   EXPECT_EQ(least_load({ { 0, 1 }, { 1, 0 }, { 2, 0.9 } }), 0);
 }

@@ -119,8 +119,8 @@ Study study_of_mesh(const std::string &file)
   return study;
 }
 
-/// Returns the nearly rigid square plate of docs/verification on a mat. The load acts at @p eccentricity [m]
-/// in the direction @p direction [rad].
+/// Returns a study of the nearly rigid square plate of docs/verification on a mat. The load acts at @p
+/// eccentricity [m] in the direction @p direction [rad].
 Study plate_on_mat(double eccentricity, double direction)
 {
   Study study = study_of_mesh("square_plate.msh");

@@ -58,8 +58,8 @@ TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
   }
   EXPECT_EQ(n_solved, 38u);
   EXPECT_EQ(n_falls, 1u); // two more cases tip at rest
-  // Just before tipping, a second balance exists. The spin of the second balance would give a third
-  // difference of at least 0.7 rad/s instead of 0.12 rad/s.
+  // Just before tipping, a second balance exists. With the spin of the second balance, the third difference
+  // of the spins would be at least 0.7 rad/s instead of 0.12 rad/s.
   const auto spin = [&](std::size_t i) { return table.number(i, "omega_terminal (rad/s)"); };
   EXPECT_LT(std::abs(spin(37) - 3 * spin(36) + 3 * spin(35) - spin(34)), 0.3);
   for (const char *curve : { "all harmonics", "first harmonic only", "first harmonic on a ring" })

@@ -12,7 +12,7 @@ namespace
 
 constexpr double land_inner = 0.020, land_outer = 0.040, crest_radius = 0.030, glass_weight = 10;
 
-/// Returns a rigid foot on a mat, with a flat land between the radii 20 and 40 mm, under 10 N.
+/// Returns a study as text: rigid foot on a mat, flat land between the radii 20 and 40 mm, weight 10 N.
 std::string wide_land(const std::string &moment_ratio)
 {
   return "subsection Motion\n  set Mass = 1\n  set Gravity = 10\nend\n"
