@@ -32,7 +32,7 @@ struct Case
   FootResolution resolution = { 48, 2, 2, 2 };
   SolidOptions options;
   std::shared_ptr<const InterfaceLaw> interface;
-  double softening = 1; ///< factor by which coarser meshes soften the interface
+  double softening = 1; ///< on each coarser mesh, the interface is softer by this factor
   Resultants load;
   double tolerance = 1e-8; ///< of the timed linear solve
   bool compares = false;
