@@ -402,7 +402,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // maximum relative length of a step over which the load is constant
+  constexpr double nearly = 1e-7;    // maximum relative step within which the load counts as constant
   constexpr double of_another = 0.1; // assumed relative error of `known.slope`
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);

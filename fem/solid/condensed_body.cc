@@ -118,7 +118,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const Eigen::Matrix3d net_resistance = resistance - conditions.motion_weights();
   increment(loaded) = solved.col(3);
   const Eigen::Vector3d residual = conditions.residual(state + increment, motion);
-  // Tilts become heights at the rim, and moments become forces at the rim.
+  // The scaling turns tilts into heights at the rim, and moments into forces at the rim.
   const double radius = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
   const Eigen::Matrix3d scaled = scale * net_resistance * scale;

@@ -336,7 +336,7 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
-  // The mean over a ring of cells keeps an axisymmetric mesh axisymmetric.
+  // Equal error indicators on each ring of cells keep an axisymmetric mesh axisymmetric.
   for (const std::vector<std::size_t> &ring : numbers.rings())
   {
     double sum = 0;

@@ -21,8 +21,8 @@ constexpr double tolerance = 1e-5;
 /// Maximum errors of the mean load (part of the error band) and of the load interpolated in the phase
 /// (affects only the ripple).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
-/// Initial number of phases per angle, for loads that depend on one angle and on two angles. Powers of two
-/// allow an error estimate from every second and every fourth phase.
+/// Initial number of phases per angle for loads that depend on one angle (first) or two angles (second).
+/// Powers of two allow an error estimate from every second and every fourth phase.
 constexpr unsigned int first_phases = 8, first_phases_of_two = 4;
 constexpr unsigned int max_phases = 128;
 
