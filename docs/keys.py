@@ -29,8 +29,9 @@ def rows(schema, path=""):
 schema = json.loads(pathlib.Path(sys.argv[1]).read_text())
 page = f"""# The keys of summary.json
 
-{schema["description"]} The schema is `share/stemware/summary.schema.json` of the build folder and of the installed program; \
-this page is made from it by `docs/keys.py`. Each verb writes a subset of the keys; \
+`summary.json` contains all numerical results of a command (a verb, e.g. `run`). Units are SI and rad; \
+vectors are in the slip frame (x along the direction of travel). Missing numbers are null. \
+`docs/keys.py` makes this page from `share/stemware/summary.schema.json`. Each verb writes a subset of the keys; \
 `[]` represents each entry of a list, `*` any name.
 
 `load_at_terminal` and `load_at_fall` have the keys of `load`.

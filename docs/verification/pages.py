@@ -19,7 +19,7 @@ kinds = {
     "published": "numbers of a publication; no code of Stemware",
     "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. If a program is named with its path, you can run it to get its numbers; "
                   "of the other programs, only the numbers are kept",
-    "plain quadrature": "the definition, integrated numerically; no code of Stemware",
+    "plain quadrature": "the defining integral, evaluated numerically; no code of Stemware",
     "other body": "Stemware's other body: the elasticity shares no code; contact driver, interface laws and extraction of the load are the same code, "
                   "so the comparison would not find an error in this code",
 }
@@ -81,10 +81,10 @@ def index(claims):
     n_checks = sum(len(case["checks"]) for c in run for case in c["cases"])
     lines = ["# What are Stemware's numbers checked against?", "",
              f"Each of the {len(claims)} claims below has one or more references. [Five kinds](#kinds-of-references) of references differ in the code that they share with Stemware. "
-             f"You can run {len(run)} claims as studies, which compare {n_checks} numbers with their references:", "",
+             f"You can run the studies of {len(run)} claims; {n_checks} numbers are compared with their references:", "",
              "    python3 /usr/share/stemware/verification/verify.py --quick", "",
              "The script prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
-             "With `--quick` only the studies marked in the column *quick* run, otherwise all. "
+             "`--quick` runs only the studies marked in the column *quick*. "
              "Studies, references (`claims.json`) and script are in `share/stemware/verification`.", "",
              "| claim | kind of reference | numbers | quick |", "|---|---|---|---|"]
     for c in run:
@@ -106,7 +106,7 @@ def benchmark():
     states = json.loads((here.parent.parent / "tests" / "verification" / "cb_glass.json").read_text())["states"]
     rows = [(f"{name}{n}/a₀", [f"{x[f'{name[0]}_over_a0'][n]:.6f}" for x in states], "2e-4")
             for n in range(1, 7) for name in ("a" if n % 2 == 0 else "b",)]
-    rows += [("share of the azimuths", [f"{x['share_of_azimuths']:.4f}" for x in states], "0.005"),
+    rows += [("share of loaded azimuths", [f"{x['share_of_azimuths']:.4f}" for x in states], "0.005"),
              ("largest pressure (Pa)", [f"{x['peak_pressure']:.6g}" for x in states], "0.5 %"),
              ("torque at ω = 0 (N m)", [f"{x['tau_at_rest']:.6g}" for x in states], "exact"),
              ("terminal spin (rad/s)", [f"{x['terminal_spin']:.4f}" for x in states], "5e-4")]
