@@ -101,6 +101,7 @@ ResultsFolder::ResultsFolder(const fs::path &wanted)
     {
       require_replaceable(target);
       std::error_code error, no_error;
+      made_parent = !fs::exists(target.parent_path(), no_error);
       const std::string probe = make_partial_folder(target);
       if (fs::exists(target, no_error) && fs::is_empty(target, no_error))
         fs::rename(probe, target, error); // fails if the folder is a mount point
@@ -114,6 +115,8 @@ ResultsFolder::~ResultsFolder()
   std::error_code error;
   if (!partial.empty() && is_first_rank())
     fs::remove_all(partial, error);
+  if (made_parent)
+    fs::remove(target.parent_path(), error); // fails if the folder still contains results
 }
 
 void ResultsFolder::open()

@@ -35,6 +35,7 @@ public:
 private:
   const std::filesystem::path target;
   std::filesystem::path partial; ///< removed by the destructor; empty if there is none
+  bool made_parent = false;      ///< true if the parent of the results folder was created
 };
 
 /// Throws OutputFailure unless @p file is writable, and missing or marked with written_by_stemware.
