@@ -142,7 +142,7 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
 Eigen::ArrayX3d converged_kernels(const FrictionLaw &law, const SlipField &slip, unsigned int n_max)
 {
   constexpr unsigned int max_doublings = 8;
-  constexpr double near_stagnation = 0.25; // width below which the trapezoidal rule converges slowly
+  constexpr double near_stagnation = 0.25; // the trapezoidal rule converges slowly if `width` is smaller
   const double product = std::sqrt(slip.speed * slip.rim);
   const double width = product > 0. ? std::abs(slip.speed - slip.rim) / product : HUGE_VAL;
   const bool is_smooth = width > near_stagnation;

@@ -195,7 +195,7 @@ private:
   }
 
   /// Returns true if an earlier zero than the zero at @p spin is possible: the torque does not decrease
-  /// monotonically, or its slope at the zero differs from the mean slope by more than steepness_ratio.
+  /// monotonically, or its slope at the zero and its mean slope differ by more than steepness_ratio (factor).
   bool needs_scan(double spin)
   {
     std::vector<DrivingTorque> way;
@@ -309,7 +309,7 @@ private:
       // folds. Intervals with a small margin must therefore be narrower.
       if (width > search.spin_scale * std::clamp(lower / 8., 1. / 256., scan_step))
         wide.emplace(lower, (left->first + right->first) / 2.);
-      // Maximum rates at which the square may decrease from either end into the interval.
+      // Maximum rates at which the squared margin may decrease from either end into the interval.
       const double own = slope(left, right);
       const double from_left = safety * std::max(is_first ? 0. : -slope(std::prev(left), left), -own),
                    from_right = safety * std::max(is_last ? 0. : slope(right, std::next(right)), own);

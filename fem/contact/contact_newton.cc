@@ -172,9 +172,9 @@ private:
     return resultant_residual() <= control.tolerance && equilibrium <= control.equilibrium_tolerance;
   }
 
-  /// Returns true if the residual passes the final check but stagnates: a full step without a change of the
-  /// active set, or the last @p n_idle steps (at least `patience`), did not halve it. Rounding errors
-  /// under the stiff penalty of a rigid table can keep the residual above the tolerance.
+  /// Returns true if the residual passes the final check but stagnates: it was not halved by a full step
+  /// without a change of the active set, or by the last @p n_idle steps (at least `patience`). Rounding
+  /// errors under the stiff penalty of a rigid table can keep the residual above the tolerance.
   bool stagnates(double present_residual, double residual_before, unsigned int n_idle) const
   {
     constexpr unsigned int patience = 10;

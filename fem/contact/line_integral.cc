@@ -41,7 +41,7 @@ template struct GaussRule<6>;
 
 PositiveSegments::PositiveSegments(const Eigen::Vector3d &samples)
 {
-  // A quadratic does not exceed its largest Bezier control point. Most lines are unloaded and end here.
+  // A quadratic does not exceed its largest Bezier control point. This check skips most (unloaded) lines.
   const double control = 2 * samples(1) - (samples(0) + samples(2)) / 2;
   if (samples(0) <= 0 && samples(2) <= 0 && control <= 0)
     return;

@@ -110,7 +110,7 @@ std::vector<PressureProfile> profiles_of_cuts(const ContactSurface &surface,
       kurtosis += cut.force * cut.kurtosis;
     }
   kurtosis /= force;
-  // The kurtosis of (1 - x^2)^a is 1.8 for a = 0 and 2.3 for a = 1.8. Other pressures are not approximated.
+  // (1 - x^2)^a has the kurtosis 1.8 for a = 0 and 2.3 for a = 1.8. Other kurtoses are not approximated.
   if (!(kurtosis > 1.8 && kurtosis < 2.3))
     return {};
   // On a half-space the exponent is 1/2 (Hertz). A layer never makes the pressure more uniform, so the

@@ -155,7 +155,7 @@ unsigned int max_halvings(const Triangulation<2>::active_cell_iterator &cell, co
   return max_below;
 }
 
-/// Halves cells until the contact cells have the borders of @p contact and the others meet their size bound.
+/// Halves cells until the contact cells have the borders of @p contact and other cells meet their size bound.
 void divide(const ContactCells &contact, const MeridianResolution &resolution,
             Triangulation<2> &triangulation)
 {

@@ -90,7 +90,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // A step moves the window of points, which is centred on the circle. Full steps could oscillate.
+    // A step moves the window of points with the circle's lowest point. Full steps could oscillate.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

@@ -93,7 +93,7 @@ void BodyOfRevolution::set_gap(const Gap &gap)
   for (ContactLine &line : surface->lines)
     for (unsigned int sample = 0; sample < 3; ++sample)
       line.gap(sample) = gap(line.position.row(sample).norm(), line.azimuth);
-  // Along a line, the gap due to waviness is at most linear, so a second difference indicates a crown.
+  // Along a line, waviness changes the gap at most linearly. A nonzero second difference means a crown.
   const ContactLine &line = surface->lines.front();
   const double bulge = line.gap(0) - 2 * line.gap(1) + line.gap(2);
   surface->is_crowned = std::abs(bulge) > 1e-12 * line.position.row(1).norm();

@@ -19,7 +19,7 @@ Function *of_openblas(const char *name)
 
 std::mutex mutex;
 unsigned int n_holders = 0;
-int blas_threads = 1; ///< number of threads before the first SingleThread
+int blas_threads = 1; ///< number of BLAS threads while no SingleThread exists
 
 } // namespace
 

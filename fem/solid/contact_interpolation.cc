@@ -43,7 +43,7 @@ struct DofShare
 using DofShares = std::vector<DofShare>;
 using SharesOfCell = std::pair<BinaryId, DofShares>;
 
-/// Row of the interpolation matrix of one fine node: coarse dofs with their weights.
+/// Row of the interpolation matrix for one fine node: coarse dofs with their weights.
 using Row = std::vector<std::pair<global_dof_index, double>>;
 
 template <typename T>

@@ -53,8 +53,8 @@ struct FootNumbers
   /// only a few steps.
   double softening = 8;
   /// Penalty of the multipliers relative to E / (cell size), and residual reduction of a linear solve between
-  /// their updates. One update leaves half the error of the highest modes with a penalty of 1, and a tenth
-  /// with 10. With 100, the linear solves need more additional iterations than fewer updates save.
+  /// their updates. With a penalty of 1, one update halves the error of the highest modes; with 10, a tenth
+  /// remains. With 100, the linear solves need more additional iterations than the fewer updates save.
   double penalty = 10, reduction = 0.1;
   /// Ratio of the tolerances of consecutive multiplier solves, about the fraction of the error that remains
   /// after one update.
@@ -255,8 +255,8 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
   };
   if (!has_multipliers())
     return solve(control);
-  // The tolerances decrease with the error of the multipliers, because the next update would undo a tighter
-  // equilibrium.
+  // The tolerances decrease with the error of the multipliers, because the next update of the multipliers
+  // would destroy a more accurate equilibrium.
   control.max_steps = foot_numbers.max_steps;
   ContactControl loose = control;
   loose.resultant_tolerance = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ using namespace dealii;
 namespace
 {
 
-/// Computes all integrals [3 a + i, 3 b + j] = int d_i N_a d_j N_b of a cell by one matrix product.
+/// Computes the stiffness of a cell. A matrix product gives [3 a + i, 3 b + j] = int d_i N_a d_j N_b.
 void compute_cell_stiffness(const FEValues<3> &values, const ElasticMaterial &material,
                             FullMatrix<double> &matrix)
 {

@@ -110,7 +110,7 @@ RingStack three_rings()
                      { 0.033, { -0.05, 0.01, 0.005 }, { 0., -0.02, 0.01 } } });
 }
 
-TEST(RingStack, ResultantsOfSeveralRingsAddUp)
+TEST(RingStack, ResultantsRotationMirrorImageAndTruncationOfSeveralRingsAreCorrect)
 {
   const RingStack load = three_rings();
   EXPECT_NEAR(load.normal_force(), 2 * pi * 0.5, ulps(2, pi));

@@ -107,7 +107,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
     }
 }
 
-TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGrip)
+TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGripOrAtZeroTorque)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
@@ -118,7 +118,7 @@ TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGrip)
   EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
   const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
-  // Upright sliding: the torque vanishes at rest, so no grip holds the glass.
+  // Upright sliding: the torque vanishes at rest, so the glass rests without a grip.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }

@@ -115,7 +115,7 @@ TEST(TerminalSpin, UprightSlidingIsUnstableUnderAPartlyTensileLoad)
 {
   // With the hand at the height h of the centre of mass, the damping in units of mu N R is 1/2 - (mu h/R)^2
   // under the first harmonic, negative for mu h/R > 1/sqrt 2. Under a compressive load, the damping is a
-  // variance, <cos^2> - <cos>^2 >= 0 (docs/theory/closures.md).
+  // load-weighted variance, <cos^2> - <cos>^2 >= 0 (docs/theory/closures.md).
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09; // mu h / R = 0.9

@@ -143,8 +143,8 @@ TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoBodyForces)
   }
 }
 
-/// Closed form: u = grad(z r^n cos(n theta)), which shears the meridian. Divergence and curl vanish too.
-TEST(FourierPatch, GradientsThatShearTheMeridianNeedNoBodyForces)
+/// Closed form: u = grad(z r^n cos(n theta)) shears the meridian. Divergence and curl of u vanish.
+TEST(FourierPatch, HarmonicGradientFieldsThatShearTheMeridianNeedNoBodyForces)
 {
   for (const unsigned int n : { 1u, 2u, 3u, 4u })
   {

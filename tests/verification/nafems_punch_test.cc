@@ -124,8 +124,9 @@ PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smalles
   return cells;
 }
 
-/// Makes the section 0 <= r <= radius of @p columns and @p rows of cells. The first @p n_contact faces at z =
-/// 0 are the contact zone, faces with @p held are clamped, and @p shape moves the vertices.
+/// Meshes a section with cells of the widths @p columns and the heights @p rows, from r = 0 and z = 0. The
+/// first @p n_contact faces at z = 0 are the contact zone, faces for which @p held is true are clamped, and
+/// @p shape moves the vertices.
 void make_section(const std::vector<double> &columns, const std::vector<double> &rows, bool downward,
                   std::size_t n_contact, const std::function<bool(const Point<2> &)> &held,
                   const std::function<Point<2>(const Point<2> &)> &shape, Triangulation<2> &triangulation)

@@ -249,7 +249,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   else if (uses_penalty_for_hard_table(study, own.discretisation))
     changes.push_back(change_of("interface", 2, changed(own, harden)));
   // The number of contact lines affects the results only if the contact edge crosses element faces. With a
-  // mesh file, it always does; with a generated mesh, only if the rim lifts off. Contact with nodal
+  // mesh file, this always happens; with a generated mesh, only if the rim lifts off. Contact with nodal
   // multipliers has no contact lines.
   if ((!is_full || !study.contact.mesh_file.empty()) &&
       (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))

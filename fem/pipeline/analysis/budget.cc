@@ -118,7 +118,7 @@ std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
   BudgetRow &all = rows.back();
   all.harmonics.reset();
   // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
-  // pressure is not, so the status `formal` (tensile load) does not apply.
+  // pressure is not negative, so the status `formal` (tensile load) does not apply.
   if (study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;

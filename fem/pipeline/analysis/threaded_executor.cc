@@ -41,8 +41,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   tbb::task_arena arena(static_cast<int>(n_threads));
   std::vector<std::exception_ptr> failures(n);
   std::atomic<bool> has_failed = false;
-  // An exception that leaves the loop would cancel parallel loops in other calls. For example, tables that
-  // deal.II is filling would stay incomplete.
+  // An exception that leaves one call of work() would cancel the parallel loops inside the other calls. For
+  // example, deal.II would leave tables incomplete.
   const auto guarded = [&](std::size_t i)
   {
     if (has_failed)
@@ -57,8 +57,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
       has_failed = true;
     }
   };
-  // Isolation: a thread that waits for a loop within one call must not begin another call, because the other
-  // call could wait for the first one (deadlock).
+  // Isolation: a thread that waits for a loop inside one call of work() must not begin another call, because
+  // the other call could wait for the first one (deadlock).
   std::atomic<std::size_t> next = 0; // calls start in ascending order, however the loop is divided
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
   arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });

@@ -105,7 +105,7 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       ->excludes(glass)
       ->excludes(table);
   verb->footer(""); // clears the footer that the verb inherits from the program
-  // The footer is made on demand, by --help, because the folder of cookbooks has to be read.
+  // The footer is created only for --help, because reading the folder of cookbooks takes time.
   verb->footer(
     []
     {

@@ -43,7 +43,7 @@ struct Launcher
   bool has_several = false; ///< false only if the launcher states a single process
 };
 
-/// Detects Open MPI, MPICH and Slurm with PMIx by their variables for the rank and the number of ranks.
+/// Detects Open MPI, MPICH and Slurm with PMIx by their environment variables for rank and number of ranks.
 Launcher launcher()
 {
   for (const auto &[rank, size] :

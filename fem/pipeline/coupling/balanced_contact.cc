@@ -63,7 +63,7 @@ fem::ContactDemand BalancedContact::demand_at(double omega, const std::vector<do
 fem::ContactState BalancedContact::contact_on_one_ring(double omega)
 {
   constexpr unsigned int max_rounds = 20;
-  constexpr double tolerance = 1e-10; // relative tolerance; each round reduces the change by a factor of 100
+  constexpr double tolerance = 1e-10; // relative; each round reduces the change of the radius a hundredfold
   const ring::Motion &motion = balance.motion;
   for (unsigned int round = 0;; ++round)
   {

@@ -51,9 +51,9 @@ struct BalanceNearby
   ring::Sample load;
 };
 
-/// Returns the terminal spin near @p near with @p n_harmonics harmonics to 1e-8 rad/s, its contact and load.
-/// Starts two or three contact solves from @p contact. Returns std::nullopt if the search fails, if the load
-/// does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
+/// Returns the terminal spin near @p near for @p n_harmonics harmonics, accurate to 1e-8 rad/s, with its
+/// contact and load. Two or three contact solves start from @p contact. Returns std::nullopt if the search
+/// fails, if the load does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
                                           const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                                           unsigned int n_harmonics)

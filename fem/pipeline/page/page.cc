@@ -19,7 +19,7 @@ const CompiledTexts &page_texts();
 namespace
 {
 
-/// Replaces each mark /*NAME*/ by the text of that name in one pass: marks in the texts are not replaced.
+/// Returns @p text with each mark /*NAME*/ replaced by the text of this name. Marks in that text remain.
 std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
 {
   const std::string begin = "/*", end = "*/";

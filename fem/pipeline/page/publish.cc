@@ -31,8 +31,8 @@ void require_finite(const Json &value, const std::string &path)
       require_finite(part, path + "/" + key);
 }
 
-/// Writes the files into the subfolder "fields" of @p folder. Precondition: all ranks see @p folder in a
-/// common file system.
+/// Writes the files into the subfolder "fields" of @p folder. Precondition: the file system of @p folder is
+/// shared by all ranks.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
 {
   if (fields.empty())

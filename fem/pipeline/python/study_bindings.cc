@@ -53,8 +53,8 @@ void check_signals()
     throw Interrupted{ std::make_exception_ptr(py::error_already_set()) };
 }
 
-/// Checks for Ctrl-C and calls the Python function f(stage, done, all), unless it is None. One thread at a
-/// time calls the members.
+/// Checks for Ctrl-C and calls the Python function f(stage, done, all), unless it is None. The members are
+/// called by one thread at a time.
 struct PythonProgress : Progress
 {
   void stage_done(const std::string &stage) override { tell(stage, 1, 1); }

@@ -22,7 +22,7 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
   if (status == ring::Status::full_contact && report.load_at_end.contact_fraction < 1)
     return ring::Status::lift_off;
   // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
-  // pressure is not, so the status `formal` (tensile load) does not apply.
+  // pressure is not negative, so the status `formal` (tensile load) does not apply.
   return status == ring::Status::formal && report.foot ? ring::Status::lift_off : status;
 }
 

@@ -22,8 +22,8 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Maximum number of harmonics. The torque of 1000 harmonics takes seconds, and the friction kernels of much
-/// lower orders are already negligible.
+/// Maximum number of harmonics. Computing the torque of 1000 harmonics takes seconds, and the friction
+/// kernels of much lower orders are negligible already.
 constexpr std::size_t max_harmonics = 1000;
 
 /// Maximum of loads and radii in SI units. Larger values are unit errors and would overflow.

@@ -130,7 +130,7 @@ void read_json(const std::string &file, const std::string &text, const std::vect
   }
 }
 
-/// Returns the entries of @p study. Entries in @p overrides accept any value, because they are set later.
+/// Returns the entries of @p study. Entries in @p overrides accept any value; --set replaces it later.
 std::vector<StudyEntry> without_overridden(Study &study, const std::vector<std::string> &overrides)
 {
   std::vector<StudyEntry> entries = study_entries(study);

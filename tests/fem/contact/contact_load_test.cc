@@ -140,9 +140,9 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 
 TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
 {
-  // The minimum of 0.5 + 0.45 cos(theta - phase) is 0.05. The lowest sample lies up to 2e-3 above, and a
-  // parabola through three samples misses the minimum by 1e-5. The trigonometric interpolation of equidistant
-  // samples finds it to rounding.
+  // The minimum of 0.5 + 0.45 cos(theta - phase) is 0.05. The lowest sample exceeds the minimum by up to
+  // 2e-3, and the minimum of a parabola through three samples has an error of 1e-5. The trigonometric
+  // interpolation of equidistant samples is exact up to rounding.
   for (const unsigned int n : { 32u, 33u })
     for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
     {

@@ -79,7 +79,7 @@ TEST(Footprint, WidthContainsNinetyNinePercentOfALoadWithoutEdge)
 }
 
 /// On one half of the rim, the outer half of the land is loaded; on the other half, only a single point at
-/// its outer edge. The loaded width at this point is zero, so the mean pressure must not become 0 / 0.
+/// the outer edge. There the loaded width is zero, and the mean pressure must not become 0 / 0.
 TEST(Footprint, MeanIsFiniteForASingleLoadedPointAndNanWithoutLoad)
 {
   PressureMap footprint;

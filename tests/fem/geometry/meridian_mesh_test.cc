@@ -88,7 +88,7 @@ TEST(MeridianMesh, BoundaryPointsLieOnTheProfileOfAFoot)
 }
 
 /// The area enclosed by curves through Gauss-Lobatto points of degree p converges at the order 2 p.
-TEST(MeridianMesh, AreaConvergesAtTwiceTheOrderOfTheGeometry)
+TEST(MeridianMesh, AreaConvergesAtTwiceTheDegreeOfTheGeometry)
 {
   const GlassProfile profile = foot_profile();
   const double exact = integral_over_section(profile, [](double) { return 1.; });

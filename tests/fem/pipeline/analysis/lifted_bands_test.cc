@@ -60,7 +60,7 @@ struct LiftedState
 /// Maximum height of the centre of mass at which a terminal spin exists [m], by independent code.
 constexpr double largest_height = 0.134575746;
 
-/// Ratios error / error band of each quantity.
+/// Ratios of the error to the error band, by quantity.
 class Ratios
 {
 public:

@@ -172,7 +172,7 @@ double mean_spin(const Study &study)
 
 } // namespace
 
-// The error band compares degree 1 with degree 2 at rest and at one spin. Reference: degree 2 at every spin.
+// Error band: change from degree 1 to degree 2 at rest and at one spin. Reference: degree 2 at every spin.
 TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");

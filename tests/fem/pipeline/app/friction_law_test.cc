@@ -80,7 +80,7 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
   EXPECT_NEAR(spin_of(quick_run(viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
-  // With Closure::full, M_N = (M - h T_y, h T_x), where h is the height of the hand.
+  // With Closure::full, M_N = (M - h T_y, h T_x). M: moment without friction. h: height of the hand.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
   double omega = 0;

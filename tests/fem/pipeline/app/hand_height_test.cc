@@ -34,7 +34,7 @@ double largest_step(const nlohmann::json &rows, const std::string &name, std::si
   return largest;
 }
 
-TEST(HandHeight, CurvesHaveGapsWhereTheSpinJumps)
+TEST(HandHeight, CurvesHaveGapsAtSpinJumpsAndTippingCasesHaveNoSpin)
 {
   const ScratchFolder scratch;
   const Ended ended =

@@ -15,7 +15,7 @@ const std::string meshes = STEMWARE_MESHES;
 
 } // namespace
 
-TEST(MeshVerb, CheckReportsTheMeasuresOfAMesh)
+TEST(MeshVerb, CheckReportsTheMeasuresOfAMeshAndWritesIt)
 {
   const ScratchFolder scratch;
   const Ended ended = stemware(

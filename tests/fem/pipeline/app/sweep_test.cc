@@ -263,7 +263,7 @@ TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
   EXPECT_NE(solid, revolution);
 }
 
-TEST(Sweep, RefusesSeveralRanksAndNamesPython)
+TEST(Sweep, RefusesSeveralRanksAndSuggestsPython)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);

@@ -80,7 +80,7 @@ TEST(Marks, RotateWithOrbitAndYaw)
   EXPECT_DOUBLE_EQ(mirrored.table, -later.table);
 }
 
-TEST(Marks, PeriodIsAFullTurnOverTheCommonDivisorOfTheWaves)
+TEST(Marks, PeriodIsAFullTurnOverTheGreatestCommonDivisorOfTheWaves)
 {
   const auto period = [](const Waviness &glass, const Waviness &table) {
     return stemware::pipeline::phase_periods({ glass, table });

@@ -260,7 +260,7 @@ TEST(Live, ReportsTipping)
   EXPECT_FALSE(solved()["document"]["summary"]["ring"]["fall"].is_null());
 }
 
-TEST(Live, CurvesAndBudgetAgreeWithTheAnswer)
+TEST(Live, CurvesBudgetAndMotionAgreeWithTheAnswer)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));

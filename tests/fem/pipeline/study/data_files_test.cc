@@ -83,7 +83,7 @@ TEST(ColumnFile, NamesTheErrorOfABadFile)
 }
 
 /// Pipes and devices are refused without being opened, because reading them might never end.
-TEST(ColumnFile, RefusesFoldersPipesAndLargeFiles)
+TEST(ColumnFile, RefusesMissingFilesFoldersPipesAndLargeFiles)
 {
   const ScratchFolder scratch;
   const std::string pipe = scratch / "pipe.csv";
