@@ -15,7 +15,7 @@ import figures  # noqa: E402
 
 here = pathlib.Path(__file__).resolve().parent
 kinds = {
-    "closed form": "a formula evaluated by the test, or an identity (a derivative against differences); no code of Stemware",
+    "closed form": "a formula evaluated by the test, or an identity (a derivative against finite differences); no code of Stemware",
     "published": "numbers of a publication; no code of Stemware",
     "other code": "another program, CalculiX or numpy and scipy; no code of Stemware. If a program is named with its path, you can run it to get its numbers; "
                   "of the other programs, only the numbers are kept",
