@@ -97,7 +97,7 @@ def index(claims):
               for c in tested]
     lines += ["", "## Kinds of references", "", "A claim with several kinds counts in each:", "", "| kind | reference | claims |", "|---|---|---|"]
     lines += [f"| {kind} | {meaning} | {sum(kind in kinds_of(c) for c in claims)} |" for kind, meaning in kinds.items()]
-    lines += ["", "Numbers of Stemware that only protect against unintended changes are not listed.", ""]
+    lines += ["", "Numbers that only protect against unintended changes are not listed.", ""]
     return "\n".join(lines)
 
 
