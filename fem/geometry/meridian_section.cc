@@ -53,7 +53,7 @@ Polyline ordered(Polyline polyline)
     polyline.size() >= 6, "a profile of ", polyline.size(),
     " points is no foot; give at least 6 points (r, z) from the axis under the foot round its edge to the "
     "axis in the stem's cut.");
-  // The simplification below costs a time that grows with the square of the number of points.
+  // The time of the simplification below grows with the square of the number of points.
   constexpr std::size_t max_points = 10000;
   require(polyline.size() <= max_points, "a profile of ", polyline.size(),
           " points is finer than any mesh; give at most 10000, one every few micrometres.");

@@ -67,7 +67,7 @@ void import(const dealii::Triangulation<3> &drawn, const std::string &defect, do
     mesh.copy_triangulation(flat);
     return;
   }
-  // The chip removes 30 degrees of the edge, from the middle of the land outwards.
+  // Chip: 30 degrees of the edge are missing, from the middle of the land outwards.
   std::set<dealii::Triangulation<3>::active_cell_iterator> removed;
   std::map<std::array<long, 3>, dealii::types::boundary_id> ids;
   const auto place_of = [](const dealii::Point<3> &x) {

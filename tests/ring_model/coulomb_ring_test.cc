@@ -64,7 +64,7 @@ TEST(CoulombRing, DissipatesEnergyUnderACompressiveLoad)
   }
 }
 
-TEST(CoulombRing, HigherHarmonicsHaveNoEffectAtRest)
+TEST(CoulombRing, HigherHarmonicsDoNotChangeTheFrictionAtRest)
 {
   test::Numbers numbers(9);
   for (unsigned int trial = 0; trial < 100; ++trial)

@@ -155,7 +155,7 @@ TEST(Sample, IsRestoredExactlyFromItsCoefficients)
   EXPECT_EQ(load.coefficients(1), Sample(load.truncated(1)).coefficients(1));
 }
 
-TEST(RingStack, DifferenceCoversEveryCoefficient)
+TEST(RingStack, DifferenceCoversEveryCoefficientAndTheRadius)
 {
   const RingStack load({ 0.5, 0.1, 0.02 }, { 0, 0.2, 0.03 }, 0.03);
   EXPECT_EQ(load.difference(load), 0);

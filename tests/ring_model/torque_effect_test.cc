@@ -77,7 +77,7 @@ TEST(TorqueEffect, LargestEffectAgreesWithADenseScan)
   }
 }
 
-TEST(TorqueEffect, HigherHarmonicsHaveNoEffectAtRest)
+TEST(TorqueEffect, HigherHarmonicsDoNotChangeTheTorqueAtRest)
 {
   for (unsigned int n = 1; n <= 4; ++n)
     EXPECT_NEAR(TorqueByHarmonics(Motion(), load_at(0.), 0.).rest(n), 0., ulps(5, 1e-3));

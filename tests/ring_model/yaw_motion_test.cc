@@ -182,7 +182,7 @@ TEST(YawMotion, AgreesWithAManufacturedSolutionUnderStiffNonlinearDamping)
   EXPECT_LT(n_torques, 30000u);
 }
 
-TEST(YawMotion, AGripHoldsAndReleasesTheGlassAtEvents)
+TEST(YawMotion, AGripHoldsAndReleasesTheGlassAsInTheClosedForm)
 {
   // I omega' = A cos(nu t) - c omega - grip sgn(omega) has a closed form while the glass spins. The glass
   // stops at a root of the closed form and starts again when A |cos(nu t)| exceeds the grip.

@@ -54,8 +54,8 @@ TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
 
 TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
 {
-  // The refined cells end inside and around the land. GlassShape::foot has a fillet, so that errors at
-  // corners do not dominate.
+  // Hanging nodes border the refined cells inside and around the land. GlassShape::foot has a fillet, so that
+  // errors at corners do not dominate.
   const CrownedFoot foot(GlassShape::foot);
   const double uniform = foot.error_of({ 24, 2, 1, 1 }), finer = foot.error_of({ 24, 2, 1, 1, 1 });
   EXPECT_LT(finer, uniform);

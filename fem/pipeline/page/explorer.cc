@@ -223,7 +223,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
-  question.with_slope = !last; // the slope is too slow to compute during the motion of a slider
+  question.with_slope = !last; // computing the slope takes too long while a slider is moved
   if (last)
     question.zero_guess = zero;
   const BalancedLoad load = find_load(present, foot);

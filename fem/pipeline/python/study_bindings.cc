@@ -1,5 +1,5 @@
-// stemware._study: Python bindings of Study and of the functions behind the program's verbs, which print
-// nothing and set no signal handler. MPI starts for a solid foot only.
+// stemware._study: Python bindings of Study and of the program's verbs. The bindings print nothing and set no
+// signal handler. MPI starts for a solid foot only.
 
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/analysis/solve.h"

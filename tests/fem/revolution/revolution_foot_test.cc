@@ -74,7 +74,7 @@ TEST(Imperfection, PutsTheCrestsAtTheGivenAzimuths)
   }
 }
 
-TEST(Imperfection, OffsetAndTiltHaveNoEffect)
+TEST(Imperfection, OffsetAndTiltDoNotChangeTheLoad)
 {
   RevolutionSetup setup;
   MeshedRevolutionFoot perfect(setup);

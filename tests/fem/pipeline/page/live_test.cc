@@ -152,7 +152,7 @@ TEST(Live, AgreesWithinTheStatedBandOnACloseMesh)
   }
 }
 
-TEST(Live, ASimilarFootAgreesWithTheProgram)
+TEST(Live, SpinOfASimilarFootAgreesWithTheProgram)
 {
   const double ratio = 1.1;
   fem::ComplianceCache cache;
