@@ -83,8 +83,8 @@ TEST(Closures, ReversedOrbitIsTheMirrorImage)
       EXPECT_EQ(reversed.force_x, wrench.force_x);
       EXPECT_EQ(reversed.force_y, -wrench.force_y);
     }
-    // Closed form: tau(0) = mu dz m rho phidot |phidot| with the offset dz of the hand and the orbit (rho,
-    // phidot).
+    // Closed form: tau(0) = mu dz m rho phidot |phidot| with the offset dz of the hand, the orbit radius rho
+    // and the orbit rate phidot.
     expect_relative(back.torque(0.), 0.003675, 1e-14, to_string(closure));
   }
 }

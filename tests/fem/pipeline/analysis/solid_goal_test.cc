@@ -86,7 +86,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
   EXPECT_FALSE(meshed.outcome);
 }
 
-// The error of the body of revolution is below a tenth of the smallest compared error.
+// Reference: body of revolution, whose error is below a tenth of the smallest compared error.
 TEST(SolidGoal, EstimatesAreCloseToTheErrorsLong)
 {
   Study study = lifting_foot();
