@@ -97,7 +97,7 @@ TEST(Load, InterpolatesWithinTheStatedError)
   EXPECT_EQ(curve.at(2.5).difference(exact(2.5)), 0);
 }
 
-TEST(Load, JumpTakesAtMost80LoadsAndIncreasesTheStatedError)
+TEST(Load, JumpIncreasesTheStatedErrorAndTakesAtMost80Samples)
 {
   unsigned int n_solved = 0;
   const auto jumping = [&](double omega)

@@ -221,7 +221,7 @@ TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
                   1e-12, "formula");
 }
 
-TEST(HandDrive, SpinIsAccurateAtAndBetweenTheRowsOfTheSpeeds)
+TEST(HandDrive, SpinAgreesWithRungeKuttaAtAndBetweenTheTimesOfTheTable)
 {
   const HandByRows braking{ { 0., 0.3, 0.55, 0.8, 1.1, 1.3 }, { 0.3, 0.35, 0.33, 0.15, 0.13, 0.2 } };
   EXPECT_LE(braking.largest_error(1e-6, 60), 1e-6 * 0.35 / 0.03);

@@ -402,7 +402,7 @@ TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluation)
     n_heard = 0;
     long_time_spin(observed(counted, hear), ring.inertia, 0., 20., 1e-7, 10.);
     EXPECT_GT(n_heard, 2048u);
-    EXPECT_GE(latest, 40.); // at least two windows
+    EXPECT_GE(latest, 40.); // at least two averaging windows of 20 s
   }
   const auto stop = [](double time)
   {

@@ -86,7 +86,8 @@ struct Cylinder
     return constraints;
   }
 
-  /// Returns the largest force K_n u at an inner node, divided by the largest contribution of a node to it.
+  /// Returns the largest force |K_n u| at the inner nodes, divided by the largest product of a diagonal entry
+  /// of K_n and its displacement.
   double unbalanced_force(unsigned int harmonic, const Field &field) const
   {
     AffineConstraints<double> none;

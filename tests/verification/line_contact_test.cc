@@ -150,7 +150,7 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
 
 TEST(LineContact, OracleAgreesWithPublishedValues)
 {
-  // The published values are for L = 15.7555; here L = 15.75552.
+  // The published values are for L = 2 ln(16 R / b_0) + 1 = 15.7555; here L = 15.75552.
   const LineContact contact(0.5, 33, slenderness);
   EXPECT_NEAR(contact.harmonic(2), 0.006875214728468, 3e-7);
   EXPECT_NEAR(contact.harmonic(3), -4.504165011245e-4, 3e-8);
@@ -175,8 +175,8 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. Tolerance: ratio of width and radius times the
-  // largest value.
+  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. The tolerances are below 1 % of the largest value (1
+  // %: ratio of width and radius).
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }

@@ -82,7 +82,7 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
 }
 
 // Cells are halved five times towards the edges. Reference: body of revolution with halved cells of degree 3
-// graded towards the corners, twice the lines and 1.5 times the harmonics.
+// graded towards the corners, twice the default lines and 1.5 times the default harmonics.
 TEST(MultigridAgreement, HardFlatLandAgreesWithTheBodyOfRevolutionLong)
 {
   RevolutionSetup setup;

@@ -85,8 +85,8 @@ TEST(SolidFriction, AgreesWithTheBodyOfRevolution)
   }
 }
 
-// Reference: friction prescribed in calculix_foot.py. Friction causes all of a_2, b_2, a_3 and b_3 on the
-// mat, and half of these harmonics on the hard table.
+// Reference: CalculiX with the friction as a prescribed load (calculix_foot.py). On the mat, friction causes
+// all of a_2, b_2, a_3 and b_3; on the hard table, half of them.
 TEST(SolidFriction, AgreesWithCalculiX)
 {
   unsigned int n_compared = 0;

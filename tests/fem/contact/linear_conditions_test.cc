@@ -29,7 +29,7 @@ Eigen::MatrixX2d friction_per_force(const ContactSurface &surface)
 
 constexpr double arm = 0.05;
 
-/// Prescribed sum x f + arm T_x(f) and sum y f + arm T_y(f) [N m].
+/// Prescribed moments sum x f + arm T_x(f) and sum y f + arm T_y(f) of the forces f and friction T [N m].
 const Eigen::Vector2d prescribed(-0.010, 0.012);
 
 LinearConditions friction_arm_conditions(const ContactSurface &surface)
@@ -84,7 +84,7 @@ void expect_fixed_point(ElasticBody &body, TableLaw &law)
 
 } // namespace
 
-TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderARigidFoot)
+TEST(LinearConditions, AgreeWithTheFixedPointIterationUnderARigidFoot)
 {
   const FootCase foot(GlassProfile(), { 24, 4, 1 });
   RigidFoot rigid(foot.body->contact_surface());
@@ -92,7 +92,7 @@ TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderARigidFoot)
   expect_fixed_point(rigid, *law);
 }
 
-TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderASolidFoot)
+TEST(LinearConditions, AgreeWithTheFixedPointIterationUnderASolidFoot)
 {
   for (const TestSolver solver : { TestSolver::factors, TestSolver::multigrid })
   {
@@ -104,7 +104,7 @@ TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderASolidFoot)
   }
 }
 
-TEST(LinearConditions, AgreeWithTheFixedPointOfTheFrictionArmUnderABodyOfRevolution)
+TEST(LinearConditions, AgreeWithTheFixedPointIterationUnderABodyOfRevolution)
 {
   const GlassProfile profile;
   RevolutionCase foot(profile, foot_compliance(profile, graded_cells(), MeridianOptions{ 2, 16 }), 64);

@@ -114,8 +114,8 @@ TEST(RimCircle, ReportsTheRmsDistanceOfItsPoints)
   EXPECT_NEAR(circle->rms_distance, u * std::sqrt(70. / 5), 1e-3 * circle->rms_distance);
 }
 
-/// The scatter grows from 20 to 40 um in steps of 0.1 um. Points must enter and leave the fit continuously,
-/// even if another point becomes the lowest.
+/// The scatter of the heights grows from 20 to 40 um in steps of 0.1 um. Points must enter and leave the fit
+/// continuously, even if another point becomes the lowest.
 TEST(RimCircle, DependsContinuouslyOnItsPoints)
 {
   const Polyline rim = rounded_rim(1.7e-3, 10, 3e-3);

@@ -216,8 +216,8 @@ public:
   fem::PressureMap pressure_map(const fem::ContactState &) const override { return {}; }
 };
 
-/// A changed discretisation may have no balance just before tipping.
-TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
+/// Just before tipping, the contact on a changed discretisation may have no moment balance.
+TEST(ErrorBands, AreEmptyIfAChangedDiscretisationHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
   const Executor executor([](const Study &, const Discretisation &, const Model &, const fem::Foot *)
@@ -225,8 +225,8 @@ TEST(ErrorBands, AreEmptyIfAChangedContactHasNoBalance)
   EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
 }
 
-/// Rows with a closed form have no error band.
-TEST(ErrorBands, ExistForEveryRowOfTheContact)
+/// Budget rows with a closed form have no error band.
+TEST(ErrorBands, ExistForEveryBudgetRowWithAContact)
 {
   Study study = test::quick_contact_study();
   study.contact.harmonics = 16;
@@ -254,7 +254,7 @@ TEST(ErrorBands, ExistForEveryRowOfTheContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, AreAtMostTheLastBandPlusTheDifferenceFromTheLastRow)
+TEST(ErrorBands, OfBudgetRowsAreAtMostTheLastBandPlusTheDifferenceFromTheLastRow)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),

@@ -106,7 +106,7 @@ TEST(SolidRun, TruncateAndSweepAcceptAGoal)
   }
 }
 
-TEST(SolidRun, ReportsTheMeshErrorOfItsGoal)
+TEST(SolidRun, ReportsTheSameMeshErrorOfTheGoalOnTwoRanks)
 {
   const auto summary_on = [](const std::vector<std::string> &launcher)
   {

@@ -49,7 +49,7 @@ TEST(Numbers, RoundsToSignificantDigits)
   EXPECT_EQ(rounded(0, 5), 0);
 }
 
-TEST(Numbers, ParsesCompleteFiniteNumbersOnly)
+TEST(Numbers, ParsesOnlyFiniteDecimalNumbers)
 {
   EXPECT_EQ(parse_number("0.0312345678901234"), 0.0312345678901234);
   EXPECT_EQ(parse_number(" +7e10 "), 7e10);
@@ -58,7 +58,7 @@ TEST(Numbers, ParsesCompleteFiniteNumbersOnly)
     EXPECT_FALSE(parse_number(text)) << text;
 }
 
-TEST(Numbers, ParsesCompleteCountsOnly)
+TEST(Numbers, ParsesOnlyUnsignedIntegersAsCounts)
 {
   EXPECT_EQ(parse_count("48"), 48u);
   for (const char *text : { "", "-8", "4.0", "1e2", "12a", "99999999999" })

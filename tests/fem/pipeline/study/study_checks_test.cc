@@ -12,7 +12,7 @@ namespace
 using test::refusal_of;
 using Settings = test::EntryTexts;
 
-TEST(StudyChecks, IgnoreTheFootIfNoContactIsSolved)
+TEST(StudyChecks, IgnoreTheFootButNotTheContactRadiusWithoutContact)
 {
   // The contact radius 65 mm exceeds the default foot radius 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
