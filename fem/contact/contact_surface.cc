@@ -23,7 +23,7 @@ unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) con
   constexpr std::size_t n_bins_side_by_side = 8;
   const std::size_t n_bins = 8 * n_bins_side_by_side * n_sectors;
   std::vector<double> n_loaded(n_bins, 0);
-  Eigen::RowVector2d before(0, 0); // the previous node, because consecutive nodes of a line share a bin
+  Eigen::RowVector2d before(0, 0); // last binned node; the next nodes of its line reuse `bin` without atan2()
   std::size_t bin = 0;
   for (unsigned int i = 0; i < n_owned_nodes(); ++i)
     if (pressure(i) > 0)

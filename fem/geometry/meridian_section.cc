@@ -218,8 +218,8 @@ void MeridianSection::cut_edge()
 
 void MeridianSection::find_rounding()
 {
-  // On the foot, the fillet ends at the first segment that deviates from the mean direction by less than 15 %
-  // of the angle between this direction and 45 degrees. On the stem, the direction is the vertical.
+  // On the foot, the fillet ends at the first segment with a slope angle below `foot_limit`, which lies above
+  // the mean slope angle. On the stem, it ends at the first segment within 0.15 * 45 deg of the vertical.
   constexpr double half_right = ring::pi / 4;
   const double mean =
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());

@@ -193,7 +193,7 @@ struct RimBorder
 {
   explicit RimBorder(const Triangulation<3> &triangulation)
   {
-    constexpr double corner = 1; // larger angles [rad] are corners, smaller angles chords of a curve
+    constexpr double corner = 1; // minimum angle of a corner [rad]; chords of a curve meet at smaller angles
     double sum_of_deficits = 0;
     for (const Outline &outline : contact_outlines(triangulation))
     {

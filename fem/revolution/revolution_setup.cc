@@ -16,7 +16,7 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum ratio of the compliances with elastic and with rigid foot for which both feet use the same mesh.
+/// The elastic and the rigid foot use the same mesh if the ratio of their compliances is below this limit.
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace

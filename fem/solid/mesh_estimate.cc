@@ -32,7 +32,7 @@ namespace
 using DistributedMesh = parallel::distributed::Triangulation<3>;
 using Cell = Triangulation<3>::active_cell_iterator;
 
-/// Number of halvings of the cells at re-entrant edges, where a higher degree alone has little effect.
+/// Number of halvings of the cells at re-entrant edges, where a higher degree alone hardly reduces the error.
 constexpr unsigned int n_edge_halvings = 2;
 
 bool touches_contact(const Cell &cell, double inner, double outer)

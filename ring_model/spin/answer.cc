@@ -36,7 +36,7 @@ std::optional<double> expected_spin(const Load &load, const Motion &motion)
   return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
 }
 
-/// Returns the terminal spin with the load at one phase, because the mean load needs a solve at every phase.
+/// Returns the terminal spin with the load at one phase, an initial guess that needs few contact solves.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {

@@ -154,7 +154,7 @@ std::vector<double> Load::lift_offs(double lower, double upper) const
     if ((at_left < 0) == (at_right < 0))
       continue;
     const auto margin = [&](double omega) { return at(omega).lift_off_margin; };
-    // An error d in the spin of the lift-off causes an error of about d^(3/2) in the load.
+    // An error d in the spin at which lift-off begins causes an error of about d^(3/2) in the load.
     const double accuracy = 1e-5 * (upper - lower);
     std::uintmax_t n_most = 7;
     const auto [below, above] = boost::math::tools::toms748_solve(

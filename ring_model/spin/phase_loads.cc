@@ -18,8 +18,8 @@ namespace
 /// Tolerance of the mean load over the phases and of its interpolation in the spin. In most studies it is a
 /// tenth of the uncertainty due to waviness.
 constexpr double tolerance = 1e-5;
-/// Maximum errors of the mean load (part of the error band) and of the load interpolated in the phase
-/// (affects only the ripple).
+/// Maximum torque errors [mu N R] of the mean load (part of the error band) and of the load interpolated in
+/// the phase (affects mainly the ripple of the spin).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
 /// Initial number of phases per angle for loads that depend on one angle (first) or two angles (second).
 /// Powers of two allow an error estimate from every second and every fourth phase.

@@ -10,7 +10,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the study with the constant friction coefficient mu(orbit speed), for equal torque at rest.
+/// Returns the study with constant friction coefficient mu(orbit speed), which preserves the torque at rest.
 Study with_constant_friction(Study study)
 {
   ring::Motion &motion = study.motion.orbit;

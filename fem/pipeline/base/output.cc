@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 namespace
 {
-/// Files in a results folder. `own`: files listed in the stamp, each before its folder; `hidden`: hidden and
-/// system files; `others`: files of the user.
+/// Files in a results folder. `own`: the file `stamp_name` and the files listed in it, contents before
+/// folders; `hidden`: hidden and system files; `others`: files of the user.
 struct Content
 {
   std::vector<std::string> own, hidden;

@@ -46,7 +46,7 @@ FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem:
 void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
 {
   const bool is_collective = foot.body().capabilities().is_collective;
-  // If the body is not collective, all ranks have the same fields, and only the first rank writes them.
+  // Unless the ranks solve together, all ranks have the same fields, and only the first rank writes them.
   if (is_first_rank() || is_collective)
     report.fields = foot.body().fields(report.at_rest);
   if (is_collective || !is_first_rank())

@@ -13,7 +13,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the result of @p solve. If the glass tips, throws BadInput with the text of @p sentence.
+/// Returns the result of @p solve. If the glass tips, throws BadInput with the text that @p sentence returns.
 template <typename Solve, typename Sentence>
 auto unless_it_tips(const Solve &solve, const Sentence &sentence)
 {

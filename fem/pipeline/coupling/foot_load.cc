@@ -164,7 +164,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Results from coarse sampling have no error band, so their error must be smaller than the default.
+  // Results from coarse sampling have no error band, so less error is allowed than by default.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);

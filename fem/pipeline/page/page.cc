@@ -19,7 +19,7 @@ const CompiledTexts &page_texts();
 namespace
 {
 
-/// Returns @p text with each mark /*NAME*/ replaced by the text of this name. Marks in that text remain.
+/// Returns @p text with each mark /*NAME*/ replaced by the text of this name. Marks in inserted texts remain.
 std::string with_marks_replaced(const std::string &text, const std::map<std::string, std::string> &texts)
 {
   const std::string begin = "/*", end = "*/";

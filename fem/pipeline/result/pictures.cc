@@ -18,7 +18,7 @@ using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
 
 constexpr double degree = ring::pi / 180;
 
-/// Returns at most @p max_size of @p values, equally spaced, and the last one. Default: picture resolution.
+/// Returns at most @p max_size of @p values at equal index steps, and the last value.
 std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
 {
   const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);

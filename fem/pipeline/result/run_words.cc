@@ -280,7 +280,7 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
     " rad/s. Contact, friction and moments are in balance at every instant, including the force "
     "that accelerates the glass along its orbit. Linear interpolation of the file instead of the "
     "monotone cubic changes the spin by " +
-    (driven->interpolation_change < 1e-9 // rounding
+    (driven->interpolation_change < 1e-9 // smaller changes are rounding errors
        ? "less than 1e-9 rad/s"
        : "up to " + number(driven->interpolation_change, ".1e") + " rad/s in between and " +
            number(driven->interpolation_change_at_end, ".1e") + " rad/s at the end");

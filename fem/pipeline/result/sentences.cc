@@ -97,7 +97,7 @@ Json sketch_labels(const Study &study)
 {
   const ring::Motion &motion = study.motion.orbit;
   const auto given = values_in_words(study);
-  // Force with which the hand moves a glass without spin against friction: F = m a - T(0).
+  // Force of the hand on a sliding glass without spin: F = m a - T(0), where T is the friction force.
   const double along = motion.total_mass() * motion.acceleration().x() +
                        motion.friction_at_rest() * motion.normal_force(),
                inwards = motion.total_mass() * std::abs(motion.acceleration().y());

@@ -271,7 +271,7 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                : "check number and unit.");
 }
 
-/// Returns @p sentence, the reason why the glass tips at rest, after a list of implausible values.
+/// Returns a list of the implausible values, followed by @p sentence, the reason why the glass tips at rest.
 std::string with_implausible_values(const Study &study, const std::string &sentence)
 {
   std::vector<std::string> list;
