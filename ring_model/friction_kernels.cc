@@ -10,7 +10,7 @@ namespace stemware::ring
 {
 namespace
 {
-/// Scaled Laplace coefficient q = eps^-n Q_n and the difference g = q_{n-1} - q_n of one order n.
+/// Laplace coefficient Q_n of order n, scaled to q_n = eps^-n Q_n, and the difference g_n = q_{n-1} - q_n.
 struct Pair
 {
   double q;

@@ -125,7 +125,7 @@ private:
 
   void rest()
   {
-    constexpr unsigned int n_looks = 64; // checks of the torque between outputs and breaks
+    constexpr unsigned int n_looks = 64; // equally spaced checks of the torque until `end`
     const double look = (end - now.time) / n_looks;
     const auto excess = [&](double time) {
       return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;

@@ -94,7 +94,7 @@ Fillet GlassProfile::fillet() const
     fillet.centre_radius = fillet.middle_radius = section->middle_radius();
     fillet.middle_height = section->middle_height();
     fillet.centre_height = section->stem_begin();
-    // Cells of the land begin at its border, so the fillet must end inside this border.
+    // The land's inner border is a cell border, so the fillet must end at a smaller radius.
     const double end = section->fillet_end_radius();
     fillet.end_radius = end < 0.9 * land_inner_radius() ? end : fillet.middle_radius;
     return fillet;

@@ -32,7 +32,7 @@ void append_equal(GridLines &lines, double end, unsigned int n_cells)
     lines.push_back(begin + (end - begin) * i / n_cells);
 }
 
-/// Appends equal cells of about @p size up to @p end, unless the lines already end there.
+/// Appends equal cells of about @p size up to @p end; nothing if the lines already reach @p end.
 void append_sized(GridLines &lines, double end, double size)
 {
   if (std::abs(end - lines.back()) < 1e-6 * size)

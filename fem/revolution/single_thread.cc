@@ -27,7 +27,7 @@ SingleThread::SingleThread()
     : omp_threads(omp_get_max_threads())
     , omp_levels(omp_get_max_active_levels())
 {
-  omp_set_num_threads(1);       // an OpenBLAS built with OpenMP takes its number of threads from here
+  omp_set_num_threads(1);       // also limits an OpenBLAS that is built with OpenMP
   omp_set_max_active_levels(0); // CHOLMOD would start four more threads per calling thread
   const std::lock_guard<std::mutex> lock(mutex);
   const auto get = of_openblas<int()>("openblas_get_num_threads");

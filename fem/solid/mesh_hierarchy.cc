@@ -106,7 +106,7 @@ struct MeshHierarchy::Cycle
     transfer = std::make_unique<Transfer>(transfers, [this](unsigned int l, FloatVector &vector)
                                           { matrices[l].initialize_dof_vector(vector); });
 #if !DEAL_II_VERSION_GTE(9, 5, 0)
-    transfers.resize(0, 0); // already copied by deal.II before 9.5
+    transfers.resize(0, 0); // before deal.II 9.5, `transfer` has its own copy
 #endif
   }
 

@@ -266,7 +266,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
   if (!all.terminal)
     return answer;
   const double omega = all.terminal->omega;
-  // Without a moment the terminal spin is a rounding error, and a relative change is undefined.
+  // If the load has no moment, the terminal spin is a rounding error, and a relative change is undefined.
   const double scale = motion.orbit_speed / all.at_rest->load.radius();
   if (answer.terminal && std::abs(omega) > 1e-9 * scale)
     answer.relative_change = (answer.terminal->omega - omega) / omega + 0.; // + 0. avoids -0

@@ -58,7 +58,7 @@ std::vector<YawSample> driven_motion(const PhasedTorqueFunction &torque, const O
 std::vector<double> interpolation_changes(Closure closure, const Motion &motion, double grip, double radius,
                                           const OrbitSpeedTable &speeds, const std::vector<double> &times)
 {
-  constexpr double accuracy = 1e-7; // limited by the jumps of the acceleration between line segments
+  constexpr double accuracy = 1e-7; // limited by jumps of the acceleration of the piecewise linear speed
   const auto motion_of = [&](const OrbitSpeedTable &table)
   {
     return driven_motion(driven_torque(closure, motion, radius, table), table, motion, grip, radius, times,

@@ -106,7 +106,7 @@ Sample PhaseSamples::mean() const
   const Sample mean = load_of(loads.rowwise().mean());
   if (mean.rings().size() > 1)
     return mean;
-  // M_N = pi R (b_1, -a_1), so the radius R is chosen to give the mean moment.
+  // The moment pi R (b_1, -a_1) is proportional to R, so R is scaled to the norm of the mean moment.
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   for (unsigned int i = 0; i < grids.size(); ++i)
     moment += sample(i).moment() / grids.size();

@@ -31,7 +31,7 @@ std::string shortest(double value)
 #ifdef __cpp_lib_to_chars
   std::array<char, 32> buffer;
   return { buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr };
-#else // some libraries (emscripten's) support integers only
+#else // std::to_chars() of some libraries (emscripten's) supports integers only
   std::string text;
   for (int n = 1; n <= 17 && (n == 1 || std::strtod(text.c_str(), nullptr) != value); ++n)
     text = printed("%.*g", n, value);

@@ -48,8 +48,8 @@ void ContactPath::append(const fem::ContactState &state)
   recent.push_back(now);
   if (recent.size() <= most)
     return;
-  // Among the older solutions, the solution whose spin is nearest to another spin is removed, so that the
-  // remaining solutions cover the range of spins.
+  // Among the older solutions, the solution with the smallest spin difference from another solution is
+  // removed, so that the remaining solutions cover the range of spins.
   const auto room = [&](const Found &one)
   {
     double nearest = std::numeric_limits<double>::infinity();

@@ -196,7 +196,8 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Returns a focused mesh of @p study with at most @p max_nodes nodes; 0: any number of nodes.
+/// Returns a discretisation that limits a focused mesh of the foot to @p max_nodes contact nodes; 0: no
+/// limit.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
   Discretisation mesh;

@@ -80,7 +80,7 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
     }
 }
 
-/// Refuses features that the body lacks, and load harmonics with two or fewer contact lines per wavelength.
+/// Refuses settings that Contact/Body excludes, and load harmonics with two or fewer lines per wavelength.
 void require_able_body(const ContactSection &contact, const TableSection &table)
 {
   const BodyAbilities can = abilities(contact.body);
