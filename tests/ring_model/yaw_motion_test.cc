@@ -69,7 +69,7 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 TEST(YawMotion, AgreesWithAPendulum)
 {
   // Pendulum I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2
-  // asin(sn(omega_0 t / 2, k)).
+  // asin(sn(omega_0 t / 2, k)) with the modulus k = 2 sqrt(A / I) / omega_0.
   const double spin = 7., stiffness = 3e-3, modulus = 2. * std::sqrt(stiffness / inertia) / spin;
   const auto torque = [=](double, double angle, double) { return -stiffness * std::sin(angle); };
   const std::vector<double> times = { 0., 0.05, 0.3, 0.41 };
@@ -276,7 +276,7 @@ TEST(YawMotion, IsAccurateAcrossCornersOfTheTorqueAtGivenBreaks)
   }
 }
 
-TEST(YawMotion, EulerConvergesAtFirstOrderToTheAdaptiveMotion)
+TEST(YawMotion, EulerConvergesAtFirstOrderAndRefusesZeroSteps)
 {
   const MarkedRing ring;
   const YawSample exact = yaw_motion(ring, inertia, 0., { 0.8 }, 1e-11, 10.)[0];
@@ -377,7 +377,7 @@ TEST(LongTimeSpin, RefusesASpinThatDoesNotSettle)
   EXPECT_THROW(long_time_spin(accelerating, inertia, 0., 1., 1e-9, 10.), std::runtime_error);
 }
 
-TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluation)
+TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluationAndCanStopTheMotion)
 {
   MarkedRing slow, stiff;
   stiff.inertia = 1e-12;

@@ -47,8 +47,8 @@ void compare_with_calculix(const std::string &kind, const GlassProfile &profile,
   for (unsigned int n = 0; n <= 6; ++n)
   {
     const HarmonicCompliance &here = compliance.harmonics[n];
-    // Harmonics 0 and 1 deform the corner at the stem, where the mesh of CalculiX is too coarse; the
-    // resulting error does not affect the load. For n > 3, the error of the 48 sectors of CalculiX is larger.
+    // Forces of the harmonics 0 and 1 deform the corner at the stem, where the mesh of CalculiX is too
+    // coarse. For n > 3, the error of the 48 sectors of CalculiX is larger.
     const double part = n == 2 || n == 3 ? 3e-3 : 1.2e-2;
     EXPECT_NEAR(nodes.dot(here.normal * nodes) / reference.normal[n], 1, part) << n;
     EXPECT_NEAR(nodes.dot(here.radial * nodes) / reference.radial[n], 1, part) << n;

@@ -175,8 +175,8 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. The tolerances are below 1 % of the largest value (1
-  // %: ratio of width and radius).
+  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. The ratio of width and radius is 1 %, and the
+  // tolerances are below 1 % of the largest value.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }

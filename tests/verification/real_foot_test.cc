@@ -11,8 +11,8 @@ using namespace stemware::revolution_tests;
 using stemware::fem_tests::foot_profile;
 using stemware::fem_tests::FootCase;
 
-/// Returns the observed order of a_2 ... a_4 of quadratic elements under one halving. Reference: cubic
-/// elements on the halved mesh.
+/// Returns the observed convergence order of a_2 ... a_4 with quadratic elements, from one halving.
+/// Reference: cubic elements on the halved mesh.
 double observed_order(const GlassProfile &profile)
 {
   const auto solve = [&](unsigned int refinements, unsigned int degree)

@@ -217,7 +217,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
   }
 }
 
-TEST(ContactExtent, SharesAreOneAndThePeakIsExactInFullContact)
+TEST(ContactExtent, FullContactEndsAtTheKernAndItsPeakPressureIsExact)
 {
   // Kern radius of an annulus with r = 20 mm and R = 40 mm: (r^2 + R^2) / 4R = 12.5 mm.
   for (const double eccentricity : { 0., 0.005, 0.0124 })

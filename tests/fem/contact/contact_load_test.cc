@@ -91,7 +91,8 @@ TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
 
 TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
 {
-  // Rings preserve sum_j r_j^k lambda_j = sum f r^k for k < n_rings.
+  // For k < n_rings, the ring loads lambda_j preserve the moments of the point forces f in every harmonic:
+  // sum_j r_j^k lambda_j = sum f r^k.
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 200; ++i)
   {

@@ -52,7 +52,7 @@ TEST(MeshFile, SecondOrderElementsAreReadAsFirstOrderElements)
   }
 }
 
-TEST(MeshFile, RefusesSecondOrderElementsWithAnOvalRim)
+TEST(MeshFile, RefusesAnOvalRimOnlyForSecondOrderElements)
 {
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);

@@ -71,7 +71,7 @@ public:
   {
   }
 
-  /// Solves, with the tangent T, (1 + T C) df + T Q dq = law - f and L' df + H dq = -(L'f + H q - t).
+  /// Solves (1 + T C) df + T Q dq = law(C f + Q q) - f and L' df + H dq = t - L'f - H q, with the tangent T.
   void step()
   {
     ContactForces contact;

@@ -12,7 +12,7 @@ using namespace stemware::revolution_tests;
 /// Reference: Hertz ellipse with the semi-axes b and k b under the force P, for radii of curvature R_x
 /// (across) and R_y (along). R_y / R_x = (k^2 E - K) / (K - E) and b^3 = 3 P E R' / (pi k E*), with the
 /// complete elliptic integrals K and E by quadrature.
-TEST(HardTable, CrestWidthAgreesWithTheHertzEllipse)
+TEST(HardTable, CrestWidthAgreesWithHertzAndExpectedWidthIsTheGeometricMean)
 {
   constexpr double slenderness = 300;
   constexpr int n_points = 100000;
@@ -41,7 +41,7 @@ TEST(HardTable, CrestWidthAgreesWithTheHertzEllipse)
   EXPECT_NEAR(expected_half_width(setup, weight) / std::sqrt(even * crest), 1, 1e-12);
 }
 
-TEST(RevolutionFoot, WarmAndColdStartsAgree)
+TEST(RevolutionFoot, WarmAndColdStartsAgreeAndARepeatedSolveTakesOneStep)
 {
   const RevolutionSetup setup;
   const MeshedRevolutionFoot warm(setup);

@@ -120,7 +120,7 @@ const std::vector<Effect> effects = {
   { "Table/Foundation modulus", "1e9", second_harmonic },
   { "Table/Foundation modulus", "1e9", second_harmonic, solid },
   { "Table/Layer thickness", "0.005", nothing, {}, second_harmonic },
-  // The pressure of the rough interface is exponential in the penetration. A factor of the reference pressure
+  // The pressure of the rough interface is exponential in the penetration. A factor on the reference pressure
   // is therefore equivalent to a shift of the table and leaves the spin unchanged.
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", rough, "/ring/omega_terminal" },
   { "Table/Reference pressure", "2e9", "/contact/table_motion/0", solid_rough, "/ring/omega_terminal" },

@@ -149,8 +149,8 @@ TEST(SpinStudy, ReportsUnstableRest)
   EXPECT_NEAR(started, -2.4364, 1e-4);
 }
 
-// The load is constant up to tipping. The moment ratio follows from the first harmonic, and the time of
-// tipping from dt = I d omega / tau(omega) by Simpson's rule.
+// Up to tipping, the load does not depend on the spin. References: the moment ratio of the first harmonic;
+// the time of tipping from dt = I d omega / tau(omega) by Simpson's rule.
 TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 {
   const Study study = study_of_given_load();

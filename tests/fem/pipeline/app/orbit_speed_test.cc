@@ -21,7 +21,7 @@ namespace
 {
 
 /// Returns the columns time, v, dv/dt and omega of a run with the orbit speed file @p speeds. Sets @p steady
-/// to omega without @p speeds.
+/// to omega at the constant orbit speed of the study.
 std::vector<std::vector<double>> driven(const std::string &speeds, const std::vector<std::string> &settings,
                                         std::vector<double> *steady = nullptr)
 {

@@ -20,7 +20,7 @@ nlohmann::json glass_run(const ScratchFolder &scratch, const std::vector<std::st
 
 } // namespace
 
-TEST(RevolutionRun, SolvesOneContactIfTheLoadDoesNotDependOnTheSpin)
+TEST(RevolutionRun, SolvesSeveralContactsOnlyIfTheLoadDependsOnTheSpin)
 {
   const ScratchFolder scratch;
   const auto one_way = glass_run(scratch, { "Motion/Closure=paper" });

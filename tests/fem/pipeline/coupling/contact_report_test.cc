@@ -79,7 +79,7 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
              motion.orbit_radius, motion.orbit_speed, motion.friction_coefficient, motion.gravity } };
 }
 
-TEST(ContactReport, MomentsBalanceAtEverySpin)
+TEST(ContactReport, MomentsBalanceAndTheLeanTorqueAgreesWithSumsAtEverySpin)
 {
   const Study study = coarse_study_in_balance();
   const Described glass(study);

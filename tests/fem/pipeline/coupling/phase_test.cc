@@ -172,8 +172,8 @@ TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
 }
 
 // The load has a kink as a function of the spin, which polynomials do not resolve. The interpolation error of
-// the mean over the phases is as large as the error of each phase. Reference: the load at phase 0, which
-// equals the exact mean.
+// the mean over the phases is as large as the interpolation error at each phase. Reference: the load at phase
+// 0, which equals the exact mean.
 TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 {
   const auto kinked = [](double omega, double phase)

@@ -64,6 +64,7 @@ double spin_by_the_program(const Study &study, unsigned int n_harmonics = all_ha
 }
 
 /// Changes one entry of @p base at a time and compares the terminal spins of page (cold start) and program.
+/// @p fit: expected match of the page's mesh.
 void expect_the_programs_spins(const Values &base, const Values &moves, const std::string &fit)
 {
   fem::ComplianceCache cache;
