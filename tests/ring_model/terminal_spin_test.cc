@@ -45,7 +45,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
   }
 }
 
-TEST(TerminalSpin, FrictionBrakesTheRingAboveSlipRatioOneUnderPointLoads)
+TEST(TerminalSpin, BrakingAboveSlipRatioOneReachesItsLowerBoundUnderPointLoads)
 {
   // Fejer kernels are compressive loads close to a point force at any azimuth. Lower bound of the braking
   // torque: mu N R sqrt(1 - 1 / eps^2).

@@ -72,8 +72,8 @@ TEST_P(Patch, PressureOnAMatIsUniform)
   EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
 }
 
-/// The gap is exactly 0, and with it every constraint value. A solver that identified contact nodes by
-/// non-zero constraint values would fail.
+/// The gap is exactly 0. A solver that stores the gap as a constraint value and finds contact nodes by
+/// non-zero values would fail.
 TEST_P(Patch, PressureOnAHardTableIsUniform)
 {
   const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());

@@ -172,7 +172,8 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
       if (before > 0)
       {
         EXPECT_LT(std::max(size / before, before / size),
-                  3 * (1 + 1e-9)); // factor 2 by halving, times 1.5 at the borders of the land
+                  3 *
+                    (1 + 1e-9)); // factor 2 by halving, up to 1.5 by the remainder at the borders of the land
       }
       before = size;
     }

@@ -227,7 +227,7 @@ SolidMesh mesh_of_file(MPI_Comm communicator, const std::string &file)
   return { mesh, report };
 }
 
-TEST(Ranks, MeshEstimateIsIndependentOfTheRanks)
+TEST(Ranks, MeshEstimateIsIndependentOfTheNumberOfRanks)
 {
   GlassProfile profile = profile_of(GlassShape::step);
   profile.crown_radius = 0; // the mesh file defines the gap

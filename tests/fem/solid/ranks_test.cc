@@ -139,12 +139,12 @@ void expect_the_same_on_all_ranks(const FootResolution &resolution, unsigned int
 
 } // namespace
 
-TEST(Ranks, MultigridContactIsIndependentOfTheRanks)
+TEST(Ranks, MultigridContactIsIndependentOfTheNumberOfRanks)
 {
   expect_the_same_on_all_ranks({ 24, 2, 1, 1 }, 2);
 }
 
-TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheRanks)
+TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheNumberOfRanks)
 {
   expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }

@@ -86,7 +86,7 @@ struct Levels
   std::vector<QuantityOfInterest> finer;
 };
 
-TEST(ErrorBands, ContainTheResultsOfAFourTimesFinerPaperStudy)
+TEST(ErrorBands, ContainTheResultsOfAFinerPaperStudyAndTheOrderIsPlausible)
 {
   const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
   Levels comparison(study, four_times_finer(study));

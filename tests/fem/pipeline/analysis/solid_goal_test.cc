@@ -51,8 +51,8 @@ GoalError error_of(const Study &study, const Discretisation &discretisation = {}
 
 } // namespace
 
-// Short version of EstimatesAreCloseToTheErrorsLong: a single mesh and a given moment.
-TEST(SolidGoal, EstimatesAreCloseToTheErrorsOnACoarseMesh)
+// Short version of EstimatesAreCloseToTheErrorsAndControlTheRefinementLong: a single mesh and a given moment.
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndControlTheRefinementOnACoarseMesh)
 {
   for (const Goal goal : { Goal::a2, Goal::terminal_spin })
   {
@@ -87,7 +87,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
 }
 
 // Reference: body of revolution, whose error is below a tenth of the smallest compared error.
-TEST(SolidGoal, EstimatesAreCloseToTheErrorsLong)
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndControlTheRefinementLong)
 {
   Study study = lifting_foot();
   const Study of_revolution = study;

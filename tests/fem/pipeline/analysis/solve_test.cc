@@ -39,7 +39,7 @@ std::vector<double> results_on(unsigned int n_threads)
   return digits;
 }
 
-TEST(Solve, ResultsDoNotDependOnTheThreads)
+TEST(Solve, ResultsDoNotDependOnTheNumberOfThreads)
 {
   const std::vector<double> one = results_on(1);
   EXPECT_GT(one.size(), 30u);

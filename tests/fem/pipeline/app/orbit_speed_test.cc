@@ -159,7 +159,7 @@ TEST(OrbitSpeed, ErrorBandOfADrivenSpinContainsTheError)
   }
 }
 
-TEST(OrbitSpeed, BreakawayForceAndMomentRatioAgreeWithStaticFriction)
+TEST(OrbitSpeed, BreakawayAgreesWithStaticFrictionAndBadCoefficientsAreRefused)
 {
   const ScratchFolder scratch;
   scratch.write("v.csv", "t (s), v (m/s)\n0, 0\n0.3, 0\n2, 0.5\n");

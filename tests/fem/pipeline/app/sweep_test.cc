@@ -106,7 +106,7 @@ TEST(Sweep, AgreesWithSeparateRuns)
   }
 }
 
-TEST(Sweep, DoesNotDependOnTheThreads)
+TEST(Sweep, DoesNotDependOnTheNumberOfThreads)
 {
   std::vector<std::string> one = forty_cases, three = forty_cases;
   one.insert(one.end(), { "--threads", "1" });

@@ -228,7 +228,7 @@ TEST(Live, WarmStartOmitsTheLoadAtRest)
   EXPECT_EQ(document["tables"]["motion"].size(), 1u);
 }
 
-TEST(Live, RefusesChangesThatNeedAnotherMesh)
+TEST(Live, RefusesChangesThatNeedAnotherMeshOrMoreCompliances)
 {
   fem::ComplianceCache cache;
   const LiveBodies bodies = live_bodies(study_of(mat), cache);
