@@ -171,9 +171,8 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
       }
       if (before > 0)
       {
-        EXPECT_LT(std::max(size / before, before / size),
-                  3 *
-                    (1 + 1e-9)); // factor 2 by halving, up to 1.5 by the remainder at the borders of the land
+        // Factor 2 by halving, and up to 1.5 because the cells at the borders of the land absorb a remainder.
+        EXPECT_LT(std::max(size / before, before / size), 3 * (1 + 1e-9));
       }
       before = size;
     }
