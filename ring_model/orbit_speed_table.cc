@@ -2,7 +2,7 @@
 
 #include "ring_model/load/require.h"
 
-// Boost 1.74 calls isnan() unqualified: the C header has to come first.
+// Boost 1.74 calls isnan() unqualified, so <math.h> must be included first.
 // clang-format off
 #include <math.h> // NOLINT(modernize-deprecated-headers)
 #include <boost/math/interpolators/pchip.hpp>

@@ -154,7 +154,7 @@ private:
   void turn(int turns)
   {
     namespace odeint = boost::numeric::odeint;
-    constexpr unsigned int n_looks = 8; // checks per step, because the spin may reach 0 within a step
+    constexpr unsigned int n_looks = 8; // checks of the spin per step, because it may reach 0 within a step
     const auto rate_of = [&](const YawState &state, YawState &rate, double time)
     {
       rate[0] = state[1] * spin_scale;

@@ -69,8 +69,8 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
       std::max(largest_torque, std::abs(yaw_torque(load, motion, spin.omega, phases.phases().phase(i))));
   const double slope = spin.held ? 0 : std::abs(spin.torque_slope),
                reach = slope > 0 ? 2 * largest_torque / slope : 0.01 * spin_scale;
-  // The accuracy is a tenth of the error of the load interpolated in the phase, but at most the maximum of
-  // 1e-3 and the error of the mean load.
+  // Accuracy of the mean spin: a tenth of the error of the load interpolated in the phase, but at most the
+  // maximum of 1e-3 and the error of the mean load.
   constexpr double coarsest = 1e-3;
   const SampleError known = phases.error(spin.omega - reach, spin.omega + reach);
   const double accuracy = std::clamp(0.1 * known.between, 1e-9, std::max(coarsest, known.mean));

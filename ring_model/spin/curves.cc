@@ -17,7 +17,7 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m]; constant beyond the spin of the fall, which a step may exceed.
+/// Returns friction plus lean torque [N m]; constant beyond the fall's spin, which time steps may exceed.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,

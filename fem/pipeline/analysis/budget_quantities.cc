@@ -111,7 +111,7 @@ const Fields<BudgetRow> &chain_torque_fields()
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
 {
   std::vector<BudgetRow> steps;
-  std::optional<double> first; // terminal spin of the first harmonic only
+  std::optional<double> first; // terminal spin with the first harmonic only
   for (const BudgetRow &row : rows)
   {
     if (row.name != "harmonics" || steps.empty() || steps.back().name != "harmonics")

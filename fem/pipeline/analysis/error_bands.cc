@@ -26,7 +26,7 @@ struct EvaluationPoints
 {
   /// 0, 0.5, 1 and 1.5 times the terminal spin, and any spins of add_slope_spins().
   std::vector<double> spins;
-  std::optional<double> first; ///< terminal spin of the first harmonic only
+  std::optional<double> first; ///< terminal spin with the first harmonic only
   std::vector<ring::Orientation> phases;
   bool with_width = false; ///< true if the contact width has an error band
 };

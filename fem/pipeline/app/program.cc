@@ -162,8 +162,8 @@ void add_help_verb(CLI::App &program, Verb &chosen)
 int run_program(int argc, char *argv[])
 {
   open_missing_streams();
-  // deal.II's own threads would compete with the threads of the study. The rounding of sums would depend on
-  // the number of cores.
+  // deal.II's own threads would compete with the threads of the study, and the rounding of sums would depend
+  // on the number of cores.
   dealii::MultithreadInfo::set_thread_limit(1);
   std::signal(SIGXFSZ, SIG_IGN); // a write beyond `ulimit -f` then fails instead of ending the program
   std::optional<MpiSession> mpi; // destroyed last, after all users of MPI

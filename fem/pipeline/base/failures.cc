@@ -20,7 +20,7 @@ std::string on_one_line(const std::string &text)
 
 std::string shortened(const std::string &text, std::size_t longest)
 {
-  // Cuts long texts before the scan. A UTF-8 character has at most four bytes.
+  // Cuts long texts before their characters are counted. A UTF-8 character has at most four bytes.
   std::string line = on_one_line(text.substr(0, 4 * longest + 4));
   std::size_t n_characters = 0;
   for (std::size_t i = 0; i < line.size(); ++i)

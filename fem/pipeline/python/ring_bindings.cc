@@ -264,7 +264,7 @@ void bind_motion(py::module_ &m)
     "liquid_mass", liquid.density, "liquid_density", liquid.bowl_radius, "bowl_radius", liquid.bowl_height,
     "bowl_height", liquid.bowl_depth, "bowl_depth", liquid.surface_leans, "surface_leans");
   const py::object names = py::dtype::of<M>().attr("names");
-  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations with two values, bool in Python
+  static constexpr auto flags = { "clockwise", "stribeck" }; // enumerations of two values become bool
   const auto as_dict = [=](const M &one)
   {
     py::dict all(py::module_::import("builtins").attr("zip")(names, py::array_t<M>(1, &one).attr("item")()));

@@ -11,7 +11,7 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Row of converge.csv: a level of an axis.
+/// Row of converge.csv: one level of a refinement axis.
 struct LevelRow
 {
   const RefinementAxis &axis;

@@ -63,8 +63,8 @@ std::string table_of_sketch(const Study &study, const std::map<std::string, std:
                                                           : "smooth, rigid table";
 }
 
-/// Returns the value of @p entry as text. Numbers have ten digits, so that a changed value differs from the
-/// default.
+/// Returns the value of @p entry as text. Numbers are rounded to ten digits; fewer digits could hide a change
+/// from the default.
 std::string value_of(const StudyEntry &entry)
 {
   const std::string text = entry.text();

@@ -53,8 +53,8 @@ std::string read_files(const fs::path &folder, const CaseList &list)
   return lines;
 }
 
-/// Returns the lines that begin with #, and the headings. Paths are relative to @p folder, so that a sweep
-/// can be resumed from any working directory.
+/// Returns the head of sweep.csv: the lines that begin with #, and the headings. Paths are relative to @p
+/// folder, so that a sweep can be resumed from any working directory.
 std::string head_of(const fs::path &folder, const CaseList &list)
 {
   std::vector<std::string> headings = { "case" };
@@ -95,7 +95,7 @@ SweepFile::SweepFile(const fs::path &wanted, const CaseList &list)
 {
   require_replaceable(folder);
   const std::string head = head_of(folder, list), text = read_text_file(file);
-  // False if the file is missing or ends within its head, because the program ended before the first row.
+  // False if the file is missing, or ends within its head because the program ended before the first row.
   const bool is_begun = head.compare(0, text.size(), text) != 0;
   std::error_code error;
   if (is_begun)

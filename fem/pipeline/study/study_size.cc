@@ -48,7 +48,7 @@ double n_nodes(const std::string &file)
   std::error_code error;
   if (!std::filesystem::is_regular_file(file, error))
     return 0;
-  std::string head(head_size, '\0'); // maximum size, because a line may be as long as the file
+  std::string head(head_size, '\0'); // limited, because a line may be as long as the file
   std::ifstream(file).read(head.data(), head_size);
   std::istringstream stream(head);
   std::string line;
@@ -83,8 +83,8 @@ void add_solid_body(const Study &study, StudySize &size)
   size.unknowns *= std::pow(contact.degree, 3);
   // Bytes per unknown (docs/method/solid_measurements.md).
   constexpr double factorised = 25e3;
-  // If the edge is halved, the coarser meshes of the hierarchy also have many cells, so multigrid needs more
-  // memory.
+  // If cells at the land's edge are halved, the coarser meshes of the hierarchy also have many cells, so
+  // multigrid needs more memory.
   const double iterated = n_edge_halvings > 0 ? 1800 : 500;
   const bool is_factorised =
     contact.linear_solver == fem::LinearSolver::condensed ||
