@@ -190,7 +190,7 @@ Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, doubl
     return law.coefficient(0.) * kernels;
   }
   kernels = converged_kernels(law, { std::abs(rim_speed), speed }, n_max);
-  // For omega < 0 the minimum slip is at theta = -90 deg instead of 90 deg: some kernels change their sign.
+  // For omega < 0 the minimum slip is at theta = -90 deg instead of 90 deg, so some kernels change sign.
   if (rim_speed < 0.)
     for (unsigned int n = 0; n <= n_max; ++n)
       kernels.row(n) *=

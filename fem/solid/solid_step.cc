@@ -79,7 +79,7 @@ struct StepNumbers
   double loose_border = 0.02, tight_border = 1e-3;
   /// W is omitted if the Schur complement is at least this fraction of C for every table motion.
   double small_border = 0.2;
-  /// Growth factor of the table's stiffness after which the decision on W is repeated.
+  /// Growth factor of the table's stiffness above which the decision to omit W is made again.
   double much_stiffer = 4;
 };
 constexpr StepNumbers tuned = {};

@@ -54,7 +54,7 @@ PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids 
   const unsigned int n_table = grids.table.size();
   for (unsigned int step = 0; step < grids.size(); ++step)
   {
-    // The order of the table's angles alternates, so that contact solves start from a neighbouring phase.
+    // The table's angles increase and decrease in turn, so contact solves start from a neighbouring phase.
     const unsigned int row = step / n_table, place = step % n_table;
     const unsigned int i = row * n_table + (row % 2 == 0 ? place : n_table - 1 - place);
     const Sample exact = load(omega, grids.phase(i));

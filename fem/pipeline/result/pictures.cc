@@ -119,7 +119,7 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
       friction_y.push_back(place.friction_y);
       turns.push_back(std::copysign(1., torque_of(place)));
     }
-    // Force with which the hand accelerates the glass against the friction of the table.
+    // Force of the hand: m a - T with the friction force T.
     const Eigen::Vector2d hand = motion.total_mass() * motion.acceleration() -
                                  Eigen::Vector2d(state.friction.force_x, state.friction.force_y);
     rows.push_back({ { "time", rounded_number(instant.time) },
