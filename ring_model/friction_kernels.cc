@@ -33,8 +33,7 @@ Pair step_down(const Pair &above, unsigned int n, double eps_squared, double com
   return { above.q + above.g, ((2. * n + 1.) * inverse * eps_squared + feed) * above.g + feed * above.q };
 }
 
-/// Returns the pair of order n + 1 from @p below. The subtraction in g loses digits unless n (1 - eps^2) is
-/// small.
+/// Returns the pair of order n + 1 from @p below. The result g loses digits unless n (1 - eps^2) is small.
 Pair step_up(const Pair &below, unsigned int n, double eps_squared, double complement)
 {
   const double g = ((2. * n - 1.) * below.g - complement * below.q) / ((2. * n + 1.) * eps_squared);

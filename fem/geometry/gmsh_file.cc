@@ -265,7 +265,7 @@ private:
     if (!is_format_4)
       return 1;
     const long n = words.whole_number();
-    // Skips the number of nodes or elements, and their smallest and largest tag.
+    // Skips the count of nodes or elements, and the smallest and the largest of their numbers.
     for (int k = 0; k < (is_format_4_0 ? 1 : 3); ++k)
       words.whole_number();
     return n;
@@ -293,7 +293,7 @@ private:
     for (long n = n_blocks(words); n > 0; --n)
     {
       const Block block = next_block(words);
-      std::vector<long> numbers; // node tags; in format 4.1 all tags precede the coordinates
+      std::vector<long> numbers; // node numbers; in format 4.1 they precede the coordinates
       for (long i = 0; i < block.size && is_format_4 && !is_format_4_0; ++i)
         numbers.push_back(words.whole_number());
       for (long i = 0; i < block.size; ++i)
@@ -318,7 +318,7 @@ private:
       long id = surface == physical_id.end() ? 0 : surface->second;
       for (long i = 0; i < block.size; ++i)
       {
-        words.whole_number(); // skips the tag of the element
+        words.whole_number(); // skips the number of the element
         const ElementType type = type_of(is_format_4 ? block.kind : words.whole_number());
         if (!is_format_4)
           id = id_in_tags(words);

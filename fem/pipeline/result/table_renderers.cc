@@ -19,7 +19,7 @@ namespace stemware::pipeline
 namespace
 {
 
-constexpr std::size_t margin = 2; ///< blanks before each column
+constexpr std::size_t margin = 2; ///< number of blanks before each column
 
 std::string name_of(const Quantity &quantity)
 {
