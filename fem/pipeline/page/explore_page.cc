@@ -196,8 +196,7 @@ private:
   std::map<std::string, std::size_t> known;
 };
 
-/// Returns a discretisation that limits a focused mesh of the foot to @p max_nodes contact nodes; 0: no
-/// limit.
+/// Returns a discretisation whose focused mesh has at most @p max_nodes contact nodes; 0: no limit.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
   Discretisation mesh;
