@@ -29,8 +29,8 @@ public:
   explicit HarmonicStiffness(const ElasticMaterial &material);
 
   /// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions. Row 3 i + c belongs to
-  /// the component c (r, theta, z) of function i. @p products [3 m, 3 m]: row p m + i, column q m + j is the
-  /// integral of field p of function i times field q of function j.
+  /// the component c (r, theta, z) of function i. @p products [3 m, 3 m]: entry (p m + i, q m + j) is the
+  /// integral of field p (dN/dr, dN/dz or N/r) of function i times field q of function j.
   std::array<Eigen::MatrixXd, 3> parts(const Eigen::MatrixXd &products) const;
 
 private:

@@ -81,8 +81,8 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
     EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
-// Cells are halved five times towards the edges. Reference: body of revolution with halved cells of degree 3
-// graded towards the corners, twice the default lines and 1.5 times the default harmonics.
+// The solid body's cells are halved five times towards the edges of the land. Reference: body of revolution
+// of degree 3 on a graded mesh, with twice the default number of lines and 1.5 times the default harmonics.
 TEST(MultigridAgreement, HardFlatLandAgreesWithTheBodyOfRevolutionLong)
 {
   RevolutionSetup setup;

@@ -36,7 +36,7 @@ std::vector<std::vector<double>> driven(const std::string &speeds, const std::ve
 /// Returns omega at equally spaced times up to @p end [s], for a load of the first harmonic in moment balance
 /// at v = v0 + a t. Sums friction over the rim, solves a linear system for a_1 and b_1, and integrates by the
 /// classical Runge-Kutta method.
-std::vector<double> ramp_by_hand(double v0, double a, double end)
+std::vector<double> integrated_ramp(double v0, double a, double end)
 {
   const double m = 0.3, R = 0.03, mu = 0.3, offset = -0.05, h = 0.03, inertia = 3e-4;
   const double a0 = m * 9.81 / (2 * ring::pi);
@@ -59,7 +59,7 @@ std::vector<double> ramp_by_hand(double v0, double a, double end)
         unit[k][2] += f * shape[k] * R * (std::sin(theta) * x - std::cos(theta) * y);
       }
     }
-    // Moment balance M_N = -offset m k x acceleration + h k x T with pi R (b_1, -a_1) = M_N.
+    // Moment balance: M_N = pi R (b_1, -a_1) = -offset m e_z x acceleration + h e_z x (friction force).
     const double ax = a, ay = v * v / 0.15;
     const double mx = offset * m * ay, my = -offset * m * ax, p = ring::pi * R;
     // Linear system with u = unit: a_1 (p + h u_1x) + b_1 h u_2x = -my - h a0 u_0x and a_1 h u_1y + b_1 (p +
@@ -113,9 +113,9 @@ TEST(OrbitSpeed, AFileWithConstantSpeedGivesTheSpinsWithoutAFile)
   EXPECT_LT(largest_difference(foot[3], steady), 1e-7 * 0.35 / 0.03);
 }
 
-TEST(OrbitSpeed, SpinUpFromRestAgreesWithTheRampByHand)
+TEST(OrbitSpeed, SpinUpFromRestAgreesWithAnotherIntegration)
 {
-  const std::vector<double> expected = ramp_by_hand(0, 0.25, 1);
+  const std::vector<double> expected = integrated_ramp(0, 0.25, 1);
   const auto from_rest = [](const std::string &rows, std::vector<std::string> settings)
   {
     settings.insert(settings.end(), { "Motion/End time=1", "Motion/Orbit speed=0.2" });

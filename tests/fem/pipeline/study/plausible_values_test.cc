@@ -90,7 +90,7 @@ TEST(StudySize, AllowsOrdinaryStudies)
     EXPECT_EQ(refusal_of({ setting }), "") << setting.first;
 }
 
-TEST(StudySize, NamesTheCostliestEntryAndTheLimit)
+TEST(StudySize, RefusalNamesTheCostliestEntryAndALargerLimitPermitsTheStudy)
 {
   const auto expect_refusal =
     [](const std::string &entry, const std::string &value, const Settings &base = {})
