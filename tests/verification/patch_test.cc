@@ -4,6 +4,7 @@
 #include "tests/fem/foot_case.h"
 
 #include <deal.II/grid/grid_generator.h>
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 
 #include <gtest/gtest.h>
