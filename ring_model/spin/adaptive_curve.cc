@@ -76,9 +76,7 @@ AdaptiveCurve::AdaptiveCurve(const CurveSource &source, double lower, double upp
     const auto worst =
       std::max_element(pieces.begin(), pieces.end(),
                        [](const Piece &one, const Piece &other) { return one.error() < other.error(); });
-    const double allowed = n_new < tolerance.usual_samples       ? tolerance.target
-                           : n_new < 4 * tolerance.usual_samples ? tolerance.relaxed
-                                                                 : tolerance.coarsest;
+    const double allowed = n_new < tolerance.usual_samples ? tolerance.target : tolerance.relaxed;
     if (worst->error() <= allowed || n_new >= tolerance.max_samples)
       return;
     // Both halves of a piece need enough new samples for their error estimates.

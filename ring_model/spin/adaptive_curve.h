@@ -23,9 +23,8 @@ struct CurveSource
 /// Tolerance of a curve, in the unit of CurveSource::error.
 struct CurveTolerance
 {
-  double target = 1e-6;   ///< tolerance with up to `usual_samples`
-  double relaxed = 2e-5;  ///< tolerance with up to four times as many
-  double coarsest = 1e-3; ///< tolerance with `max_samples`
+  double target = 1e-6;  ///< with fewer than `usual_samples`
+  double relaxed = 2e-5; ///< with more samples
   std::size_t usual_samples = 20;
   std::size_t max_samples = 80;
 };

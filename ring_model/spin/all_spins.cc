@@ -86,7 +86,7 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {
-    const Load curve = load.interpolated(first * step, last * step, { 3e-3, 3e-3, 3e-3, 8, 60 });
+    const Load curve = load.interpolated(first * step, last * step, { 3e-3, 3e-3, 8, 60 });
     const double error = curve.interpolation_error().value_or(0);
     reach = std::max(1e-4, 10 * error) * unit;
     std::vector<TerminalSpin> scanned =

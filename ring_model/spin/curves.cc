@@ -103,9 +103,8 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
   constexpr std::size_t max_samples = 100;
   std::shared_ptr<const AdaptiveCurve> table;
   if (lower < upper)
-    table = std::make_shared<AdaptiveCurve>(
-      CurveSource{ at_phases, error }, lower, upper,
-      CurveTolerance{ tolerance, tolerance, tolerance, max_samples, max_samples });
+    table = std::make_shared<AdaptiveCurve>(CurveSource{ at_phases, error }, lower, upper,
+                                            CurveTolerance{ tolerance, tolerance, max_samples, max_samples });
   if (table && table->error() > tolerance)
     table = nullptr;
   return [&load, &motion, &grids, table](double time, double yaw_angle, double omega)
@@ -157,7 +156,7 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
   };
   // The load changes steeply near the end of the balance. A tight tolerance would need too many samples.
   CurveTolerance near_fall;
-  near_fall.relaxed = near_fall.coarsest;
+  near_fall.relaxed = 1e-3;
   if (found.fall)
     return between(0, found.fall->omega, near_fall).value_or(load);
   if (const std::optional<Load> curve = between(lower, upper))

@@ -153,7 +153,6 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   CurveTolerance tolerances;
   tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
-  tolerances.coarsest = std::max(tolerances.relaxed, largest_allowed.mean);
   tolerances.max_samples = sampling.max_samples;
   tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);
   Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, tolerances), {} };

@@ -28,7 +28,7 @@ constexpr unsigned int n_harmonics = 24;
 
 ring::CurveTolerance to(double wanted)
 {
-  return { wanted, wanted, wanted, 20, 1000 };
+  return { wanted, wanted, 20, 1000 };
 }
 
 ring::CurveSource rim_source(const std::vector<double> &kinks = {})

@@ -171,8 +171,8 @@ std::string answer_of(const StudyAnswer &run)
     append(text, resting_answer(study, all));
   constexpr double large_curve_error = 1e-3;
   if (const double error = spin.curve_error.value_or(0); error > large_curve_error)
-    append(text, "Between the solved spins the load of the curves is off by about " +
-                   number(100 * error, "#.2g") + " % of its mean, because it jumps with the spin.");
+    append(text, "Curves are interpolated between solved spins; their load is off by about " +
+                   number(100 * error, "#.2g") + " % of its mean.");
   return text;
 }
 

@@ -94,6 +94,13 @@ std::string hostile_text()
          "\u2028 \u2029 & \" \\";
 }
 
+std::string framed(const std::string &page, int width)
+{
+  return "const frame = document.createElement('iframe');\nframe.style = 'border:0;height:900px;width:" +
+         std::to_string(width) + "px';\nframe.srcdoc = " + script_string(page) +
+         ";\ndocument.body.append(frame);\n";
+}
+
 nlohmann::json found_in_browser(const ScratchFolder &scratch, const std::string &script, bool forbids)
 {
   // An open frame delays the load event until the script has ended.

@@ -26,6 +26,9 @@ std::string troubles_script();
 /// it sets data-ran of the root element. In a path, the slashes of the text separate folders.
 std::string hostile_text();
 
+/// Returns the first lines of a script, which open @p page in a frame of width @p width [px].
+std::string framed(const std::string &page, int width);
+
 /// Runs @p script, the body of an async function, in a page in Chromium and returns its result. Files in @p
 /// scratch have the same origin. Fails the test if the browser prints a message, unless @p forbids is true: a
 /// policy then forbids an action of the script.
