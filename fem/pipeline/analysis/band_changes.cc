@@ -65,8 +65,8 @@ std::vector<double> radii_on_band_of(const std::vector<double> &radii, unsigned 
 }
 
 /// Adds changes of the numbers of rings and harmonics: other projections of the existing contact pressure,
-/// without a new moment balance. The neglected change of the balance changes the spin about as much as the
-/// projection, so the factor is 2. With two or more rings, the largest change over @p ring_counts is used.
+/// without a new moment balance. A new balance would change the spin about as much as the projection does, so
+/// the factor is 2. With two or more rings, the largest change over @p ring_counts is used.
 void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
@@ -129,8 +129,8 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // On a hard table the cells are small, and a higher degree is expensive. It is compared on the coarse mesh,
-  // where the change due to the degree is larger than on the mesh of the study.
+  // On a hard table the cells are small, and a higher degree is expensive. The degree is therefore raised on
+  // the coarse mesh, where the change due to the degree is larger than on the mesh of the study.
   if (study.contact.degree < 4 && study.table.is_hard())
     changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
   else if (study.contact.degree < 4)

@@ -281,9 +281,9 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
               bands.end());
 }
 
-/// Raises the part "lines" of each harmonic n > 1 to at least 1/32 of the largest of these parts. With four
-/// times the lines, 1/32 of an error remains (order 5/2). The part of a harmonic may be smaller by chance,
-/// because it depends on the distance of a contact edge from the next line.
+/// Raises the part "lines" of each harmonic n > 1 to at least 1/32 of the largest of these parts. A part may
+/// be too small by chance, because it depends on the distance of a contact edge from the next line. With four
+/// times the lines, 1/32 of the error remains (order 5/2).
 void widen_parts_of_lines(ErrorBands &bands)
 {
   constexpr double rest_on_more_lines = 1. / 32;

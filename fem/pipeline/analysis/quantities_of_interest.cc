@@ -53,8 +53,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
                                                        const SpinNumbers &spin)
 {
   const ContactSection &contact = study.contact;
-  // The contact fraction of a solid foot is accurate to one sector. In a body of revolution, the contact
-  // edges are interpolated between the lines.
+  // The contact fraction of a solid foot is accurate to one azimuthal cell. For a body of revolution, the
+  // contact edges are interpolated between the azimuth lines.
   std::vector<QuantityOfInterest> quantities = load_quantities(
     at_rest,
     abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);

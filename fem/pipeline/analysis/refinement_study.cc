@@ -95,7 +95,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
   double band = rounding;
   if (kind != AxisKind::cells)
     band +=
-      // The last difference may be small by chance, so at least a quarter of the one before is used.
+      // The last difference may be small by chance, so at least a quarter of the previous one is used.
       1.25 * std::max(std::abs(fine_step), std::abs(coarse_step) / 4);
   else if (0.5 <= order && order <= 8)
   {

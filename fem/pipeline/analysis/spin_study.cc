@@ -146,8 +146,8 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
       up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
     up.instants = ring::instants_of(adaptive, of_all.load, question);
   };
-  // Computes the curves of the first harmonic: their difference from the curves of all harmonics is
-  // interpolated.
+  // Computes the curves of the first harmonic. If possible, its load is interpolated as a difference from the
+  // load of all harmonics.
   const auto find_first = [&]
   {
     const auto &[variant, row, load, torques] = rows.front();
@@ -223,8 +223,8 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
     others.erase(others.begin() + 1, others.end()); // keeps the paper's model only
   else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
     others.push_back(*one_ring);
-  // The curve may reveal that the glass tips at a spin that the search for the terminal spin missed. The rows
-  // are then solved again.
+  // The spins of the curves may include a spin at which the glass tips and which the search for the terminal
+  // spin missed. The rows are then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
   CurveLoad curve = { {}, load };

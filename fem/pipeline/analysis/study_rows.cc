@@ -187,7 +187,8 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
       whole.row.reason = reason;
     if (omega)
     {
-      // With waviness, the torques do not vanish at the terminal spin, which is a mean over the phases.
+      // With waviness, the terminal spin is a mean over time, but at_terminal is the state at the zero of the
+      // mean torque.
       rows.torque_spins.push_back(*omega + 0.);
       whole.torques.push_back(*whole.row.at_terminal);
     }

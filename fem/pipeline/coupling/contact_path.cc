@@ -111,8 +111,8 @@ std::optional<fem::ContactStart> ContactPath::expected(const std::vector<const F
       least = std::min(least, std::abs(one->slip.spin_per_speed - spin));
     return least;
   };
-  // Solutions of this foot predict better than solutions of the similar foot. The similar foot is used only
-  // if its nearest solution is closer by more than a tenth of the spin.
+  // At equal distance, solutions of this foot predict better than solutions of the similar foot. The similar
+  // foot is preferred only if its solutions are closer to @p spin by more than a tenth of @p spin.
   const bool own_are_far = distance(similar_at_marks) + 0.1 * std::abs(spin) < distance(own);
   const std::optional<fem::ContactStart> start = own_are_far ? std::nullopt : between(own, spin, 2);
   return start ? start : between(own_are_far ? similar_at_marks : similar, spin, 1);

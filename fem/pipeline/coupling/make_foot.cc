@@ -91,7 +91,7 @@ std::vector<fem::SectionPolygon> foot_section(const Study &study, const Discreti
 {
   if (abilities(study.contact.body).is_of_revolution)
     return fem::section_cells(fem::MeridianMeshes(revolution_setup(study, discretisation)).foot);
-  // Azimuth [rad] of the section. In usual meshes, it lies between two borders of sectors.
+  // Azimuth of the section [rad]. Usual meshes have no nodes at this azimuth.
   constexpr double azimuth = 0.02;
   dealii::Triangulation<3> mesh;
   if (study.contact.mesh_file.empty())

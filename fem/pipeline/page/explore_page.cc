@@ -101,7 +101,7 @@ private:
     return static_cast<std::uint32_t>(
       static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
   }
-  /// Returns the difference between an integer and the same integer of the previous harmonic.
+  /// Returns whole() minus the integer at the same position in the previous matrix, if there is one.
   std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
   {
     return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
