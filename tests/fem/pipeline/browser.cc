@@ -124,7 +124,8 @@ holder.contentDocument.open();
   const Ended ended = chromium(scratch, { "--allow-file-access-from-files", "--dump-dom", "file://" + file });
   if (!forbids)
   {
-    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err; // "the browser has found"
+    // The only console message is "the browser has found".
+    EXPECT_EQ(all_between(ended.err, ":CONSOLE", "\n").size(), 1u) << ended.err;
   }
   const nlohmann::json found = nlohmann::json::parse(between(ended.out, "FOUND", "FOUND"), nullptr, false);
   EXPECT_TRUE(!found.is_discarded() && !found.contains("failed")) << ended.out.substr(0, 500) << ended.err;

@@ -85,8 +85,8 @@ Study study_on(const Surface &surface)
 
 TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
 {
-  // Friction torque at rest: tau_z(0) = mu M_Nx. Moment balance: M_N = -dz k x F + z_CM k x T + N z_CM (-q2,
-  // q1), with the force F of the hand, the friction T and the tilt (q1, q2).
+  // Friction torque at rest: friction coefficient times moment_x. The moment is in balance with the force F
+  // of the hand, the friction force T and the weight of the tilted glass. Unit vector k: vertical.
   for (const bool tilt : { true, false })
   {
     Study study = study_on(GetParam());
@@ -119,8 +119,9 @@ double coefficient_at(const ring::Motion &motion, double slip_speed)
          motion.viscous_friction * slip_speed;
 }
 
-/// Expects the energy balance without tilt: the work of the hand, int -T_x v dt, equals I omega^2 / 2 + int
-/// int mu p |v_slip| dA dt.
+/// Expects the energy balance without tilt: the work of the hand equals the kinetic energy of the spin plus
+/// the friction heat, which is the time integral of the sum of friction coefficient * normal force * slip
+/// speed over all points.
 void expect_energy_balance(Study study)
 {
   study.motion.tilt = false;

@@ -97,7 +97,7 @@ TEST(Budget, RelativeHarmonicEffectIsUndefinedForAGlassAtRestOrReversed)
 
 TEST(Budget, SpinScaleAgreesWithItsFormula)
 {
-  // The scale is 2 |M_Nx| / (N R) v/R with M_Nx = -dz m v^2/rho.
+  // The scale is v / R times the moment ratio of the centripetal force, 2 |moment| / (weight R).
   Study study = test::mat_study();
   const ring::Motion &motion = study.motion.orbit;
   const auto expected = [&]

@@ -180,12 +180,12 @@ void expect_bands_hold_up_to_tipping(unsigned int n_steps)
   ratios.expect_fair_medians();
 }
 
-TEST(LiftedBands, ContainTheErrorAtRandomMomentsLong)
+TEST(LiftedBands, ContainTheErrorUnderRandomMomentsLong)
 {
   expect_bands_hold(random_moment, 42, 30);
 }
 
-TEST(LiftedBands, ContainTheErrorAtTwoRandomMoments)
+TEST(LiftedBands, ContainTheErrorUnderTwoRandomMoments)
 {
   expect_bands_hold(random_moment, 42, 2);
 }
@@ -231,7 +231,7 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesInTheContactLong)
   expect_bands_with_vanishing_slip_hold(1.90, 9);
 }
 
-TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMoment)
+TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMomentRatio)
 {
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }

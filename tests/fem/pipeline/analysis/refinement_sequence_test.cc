@@ -51,7 +51,7 @@ TEST(RefinementSequence, BandIsTheGridConvergenceIndex)
 
 TEST(RefinementSequence, BandContainsTheErrorForMixedOrders)
 {
-  // Errors c h^p (1 + e h^q) are typical of meshes with corners.
+  // Errors h^p (1 + e h^q) with the cell size h = 2^-level are typical of meshes with corners.
   std::mt19937 random(7);
   std::uniform_real_distribution<double> order(0.8, 4), further(0.5, 2), mixing(-0.5, 0.5);
   for (unsigned int i = 0; i < 1000; ++i)
@@ -75,7 +75,7 @@ TEST(RefinementSequence, GivesAWideBandAndNoOrderForNonMonotoneValues)
   EXPECT_NEAR(judged.bands.back(), 3 * 0.2, 1e-14);
 }
 
-TEST(RefinementSequence, GivesAWideBandForImplausibleOrders)
+TEST(RefinementSequence, GivesAWideBandAndNoOrderForImplausibleDifferences)
 {
   // The first sequence converges slowly. The last difference of the second sequence is implausibly small.
   for (const std::vector<double> &values :
@@ -96,7 +96,7 @@ TEST(RefinementSequence, GivesNoOrderForDifferencesBelowRounding)
   EXPECT_NEAR(judged.bands.back(), 3 * 6e-10 + rounding, ulps(5, 1));
 }
 
-TEST(RefinementSequence, AssumesFirstOrderForTwoLevels)
+TEST(RefinementSequence, BandAssumesFirstOrderForTwoLevels)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.5 }, AxisKind::cells, 0);
   EXPECT_FALSE(judged.order);
@@ -105,7 +105,7 @@ TEST(RefinementSequence, AssumesFirstOrderForTwoLevels)
   EXPECT_NEAR(judged.bands[0], 2.5 * 0.5, ulps(5, 1));
 }
 
-TEST(RefinementSequence, BandOfADegreeSequenceFollowsFromItsDifferences)
+TEST(RefinementSequence, BandOfADegreeSequenceIsComputedFromItsDifferences)
 {
   const RefinementSequence judged = assess_convergence({ 1, 1.1, 1.11 }, AxisKind::degree, 0);
   EXPECT_FALSE(judged.order);

@@ -192,7 +192,7 @@ TEST(ErrorBands, ContainTheErrorOfASingleRing)
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 0.5 * spin.band); // the rings dominate the error band
+  EXPECT_GT(error, 0.5 * spin.band); // the single ring causes most of the error band
   EXPECT_LT(error, spin.band);
 }
 
@@ -275,7 +275,7 @@ TEST(ErrorBands, OfBudgetRowsAreAtMostTheLastBandPlusTheDifferenceFromTheLastRow
   EXPECT_FALSE(without_first.front().band);
 }
 
-TEST(ErrorBands, MessageOfAFailedRefinementNamesTheLevel)
+TEST(ErrorBands, MessageOfAFailedRefinementNamesTheDegree)
 {
   Study study = test::mat_study();
   study.load.moment_ratio = 0.5;

@@ -172,8 +172,8 @@ double mean_spin(const Study &study)
 
 } // namespace
 
-// Error band: change from degree 1 to degree 2 at rest and at one spin. Reference: degree 2 at every spin.
-TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
+// The error band compares degree 1 with degree 2 at rest and at one spin. Reference: degree 2 at every spin.
+TEST(SolidBands, ContainTheChangeOfTheTerminalSpinByDegreeTwoOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");
   study.table.foundation_modulus = 2e9;
@@ -187,7 +187,7 @@ TEST(SolidBands, ContainTheChangeOfTheTerminalSpinOnAnOvalMesh)
 }
 
 // The contact edge crosses element faces, and the pressure has a kink at the edge. The displacement of a
-// rigid plate is exact on every mesh, so the error band must come from another number of contact lines.
+// rigid plate is exact on every mesh, so the error band must come from a change of the contact lines.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })
@@ -240,7 +240,7 @@ TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
   expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2", "b3", "a4" });
 }
 
-// The contact is a hundredth of a cell wide, so the change to halved cells is only a small part of the error.
+// The contact is a hundredth of a cell wide, so one halving of the cells hardly reduces the error.
 TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 {
   Study study = step_on_mat(1e15);

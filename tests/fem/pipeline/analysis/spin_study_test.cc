@@ -32,7 +32,7 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   const SpinUpCurves curves = study_spin_of(rich_load(), study).spin_up;
-  const auto follow = [&](const ring::RingStack &load)
+  const auto final_spin = [&](const ring::RingStack &load)
   {
     double omega = 0;
     const int n_steps = 4000;
@@ -46,11 +46,11 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
       omega += step * rate(omega + step / 2 * rate(omega));
     return omega;
   };
-  EXPECT_NEAR(curves.adaptive.back(), follow(rich_load()), 1e-6);
-  EXPECT_NEAR(curves.first_harmonic.back(), follow(rich_load().truncated(1)), 1e-6);
+  EXPECT_NEAR(curves.adaptive.back(), final_spin(rich_load()), 1e-6);
+  EXPECT_NEAR(curves.first_harmonic.back(), final_spin(rich_load().truncated(1)), 1e-6);
   // The load of the paper's model does not depend on the spin.
   EXPECT_NEAR(curves.paper.back(),
-              follow(ring::RingStack::first_harmonic(
+              final_spin(ring::RingStack::first_harmonic(
                 motion.normal_force(), ring::required_moment_at_rest(ring::Closure::paper, motion), 0.03)),
               1e-6);
   EXPECT_GT(std::abs(curves.euler.back() - curves.adaptive.back()), 1e-6);
@@ -103,15 +103,15 @@ TEST(SpinStudy, ReportsProgressAndCanBeInterruptedDuringTheSpinUp)
     bool is_interrupted = false;
   } listener;
   fem::ComplianceCache cache;
-  const auto followed = [&]
+  const auto study_the_spin = [&]
   {
     study_spin(study_of_given_load(), nullptr, given_load(rich_load()), ThreadedExecutor(cache), listener,
                Depth::answer);
   };
-  followed();
+  study_the_spin();
   EXPECT_GE(listener.most, 1u);
   listener.is_interrupted = true;
-  EXPECT_THROW(followed(), std::domain_error);
+  EXPECT_THROW(study_the_spin(), std::domain_error);
 }
 
 BalancedLoad tipping_beyond(double last)
@@ -150,7 +150,7 @@ TEST(SpinStudy, ReportsUnstableRest)
 }
 
 // Up to tipping, the load does not depend on the spin. References: the moment ratio of the first harmonic;
-// the time of tipping from dt = I d omega / tau(omega) by Simpson's rule.
+// the time of tipping by Simpson's rule, from dt = yaw_inertia / torque(omega) d omega.
 TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
 {
   const Study study = study_of_given_load();

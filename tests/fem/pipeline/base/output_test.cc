@@ -132,7 +132,7 @@ class ChangedResults : public testing::TestWithParam<Change>
 {
 };
 
-TEST_P(ChangedResults, AreNotOverwritten)
+TEST_P(ChangedResults, AreNotOverwrittenAndTheNewResultsAreKept)
 {
   const ScratchFolder scratch;
   scratch.write("elsewhere", "years of work");

@@ -116,7 +116,7 @@ TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
 
 TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
 {
-  // The load on a flat land acts beside the middle of the land.
+  // On a flat land, the mean radius of the load differs from the radius of the ring with the same moment.
   Study study = coarse_study_in_balance();
   study.glass.profile.crown_radius = 0;
   const Described glass(study);
@@ -145,7 +145,7 @@ TEST(ContactReport, LoadReportAgreesWithSumsOverThePressure)
 
 TEST(ContactReport, DeformationByFrictionDependsOnOmegaOverV)
 {
-  // Reference: the foot under the resultants of the balance, with friction for the slip at omega / v.
+  // Reference: the foot under the balanced force and moment, with the friction of a given omega / v.
   const Study study = coarse_study_in_balance();
   const Described glass(study);
   const double speed = study.motion.orbit.orbit_speed;

@@ -80,7 +80,7 @@ TEST(Marks, RotateWithOrbitAndYaw)
   EXPECT_DOUBLE_EQ(mirrored.table, -later.table);
 }
 
-TEST(Marks, PeriodIsAFullTurnOverTheGreatestCommonDivisorOfTheWaves)
+TEST(Marks, PeriodIsAFullTurnOverTheGreatestCommonDivisorOfTheWaveNumbers)
 {
   const auto period = [](const Waviness &glass, const Waviness &table) {
     return stemware::pipeline::phase_periods({ glass, table });
@@ -158,7 +158,7 @@ LoadAtPhase jumping_load(double jump)
 
 // At a jump, the error of the mean is proportional to the spacing of the phases. Reference: exact fraction of
 // the phases with b_1 = jump.
-TEST(PhaseSampledLoad, MeanOfAJumpIsWithinTheStatedError)
+TEST(PhaseSampledLoad, MeanOfAJumpingLoadIsWithinTheStatedError)
 {
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / ring::pi;
   const PhasePeriods of_glass = { two_pi / 2, 0 };

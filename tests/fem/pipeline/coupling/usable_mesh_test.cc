@@ -60,7 +60,7 @@ protected:
   Mesh mesh;
 };
 
-TEST_F(ForeignMesh, FindsTheContactZoneByIdOrHeight)
+TEST_F(ForeignMesh, FindsTheContactZoneAndTheStemCutByIdOrHeight)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
@@ -85,7 +85,7 @@ TEST_F(ForeignMesh, RefusesInvertedCells)
   expect_sentence(text(), "inverted");
 }
 
-TEST_F(ForeignMesh, IsReadInTheGivenUnit)
+TEST_F(ForeignMesh, AcceptsOnlyTheRightUnitAndSuggestsIt)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(1000 * x); });
   const std::string millimetres = text();
@@ -128,7 +128,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the radius.
+/// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the foot's radius.
 TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });
@@ -163,7 +163,8 @@ TEST_F(ForeignMesh, RefusesDisconnectedPieces)
     n_outside += is_outside(cell->center());
   ASSERT_GT(n_outside, 0u);
   Mesh pieces;
-  // The small lateral shift keeps the nodes away from edges of the other piece.
+  // Without the small lateral shift, nodes could lie on edges of the other piece (hanging nodes), which are
+  // refused for another reason.
   fem_tests::make_split(mesh, is_outside, dealii::Point<3>(1e-6, 2e-6, 1e-3), pieces);
   expect_sentence(gmsh_text(pieces), "has " + std::to_string(n_outside) + " of " +
                                        std::to_string(mesh.n_active_cells()) + " cells");

@@ -306,7 +306,7 @@ TEST(Live, FrictionAtRestIntegratesToTorqueAndForce)
   }
   const double mean = motion.friction_at_rest() * motion.normal_force() / static_cast<double>(n);
   EXPECT_NEAR(torque * mean * study.glass.profile.contact_radius, rest["torque"].get<double>(),
-              0.01 * std::abs(rest["torque"].get<double>())); // the load acts close to the radius R
+              0.01 * std::abs(rest["torque"].get<double>())); // the load acts close to the contact radius
   EXPECT_NEAR(force * mean, -rest["hand"][0].get<double>(), 1e-3 * std::abs(force * mean));
 }
 

@@ -125,13 +125,12 @@ TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
 
 TEST(RunResults, SummaryContainsTheClosedFormOfTheTorqueAtRest)
 {
-  // Closed form: tau_z(0) = mu M_Nx.
   const SolvedRun &run = solved_run();
   EXPECT_NEAR(run.summary()["ring"]["tau_closed_form"].get<double>(),
               run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
 }
 
-TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeMinimum)
+TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeLoad)
 {
   StudyAnswer run = solved_run();
   run.bands = {};
@@ -151,7 +150,7 @@ TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeMinimum)
   EXPECT_FALSE(decided());
 }
 
-TEST(RunResults, OmitContactFilesIfTheStudySolvesNoContact)
+TEST(RunResults, OmitTheContactIfTheStudySolvesNone)
 {
   StudyAnswer run = solved_run();
   run.bands = {};

@@ -7,7 +7,7 @@ namespace stemware::test
 namespace
 {
 
-TEST(SweepAnswer, NamesNoCaseIfAllSpinsAreEqual)
+TEST(SweepAnswer, NamesCasesForDifferentTorquesButNotForEqualSpins)
 {
   const pipeline::CaseList list = pipeline::cases_of_grid({ "Motion/Mass=0.2,0.3" });
   const auto solved = [](double spin, double torque)

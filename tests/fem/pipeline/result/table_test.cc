@@ -128,7 +128,7 @@ TEST(Quantities, AreWrittenToTheSummaryIfTheyHaveADescription)
   EXPECT_EQ(schema["required"].dump(), R"(["who","spin","half","at"])");
 }
 
-TEST(Quantities, AreNullIfTheResultTheyDescribeIsMissing)
+TEST(Quantities, AreNullOrAbsentIfTheResultTheyDescribeIsMissing)
 {
   using Row = std::optional<Everything>;
   const auto all_rows = [](const Row &row) { return row ? &rows : nullptr; };
