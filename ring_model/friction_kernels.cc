@@ -10,7 +10,8 @@ namespace stemware::ring
 {
 namespace
 {
-/// Laplace coefficient Q_n of order n, scaled to q_n = eps^-n Q_n, and the difference g_n = q_{n-1} - q_n.
+/// Laplace coefficient Q_n(eps) of order n, scaled to q_n = eps^-n Q_n, and g_n = q_{n-1} - q_n. Here eps is
+/// the smaller of rim speed and sliding speed, divided by the larger.
 struct Pair
 {
   double q;

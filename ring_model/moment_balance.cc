@@ -37,7 +37,8 @@ Eigen::Vector2d required_moment(Closure closure, const Motion &motion, const Eig
   Eigen::Vector2d acceleration = motion.acceleration();
   if (closure == Closure::paper)
     acceleration.x() = 0.;
-  // k x (x, y) = (-y, x). The friction T acts directly and through the hand force m a - T.
+  // k: unit vector upwards, k x (x, y) = (-y, x). Friction acts directly and through the hand force, which is
+  // mass times acceleration minus friction.
   const auto k_cross = [](const Eigen::Vector2d &vector) { return Eigen::Vector2d(-vector.y(), vector.x()); };
   const double offset = motion.force_offset + (motion.centre_of_mass_height - motion.overturning_height());
   return -offset * motion.total_mass() * k_cross(acceleration) +

@@ -22,8 +22,8 @@ constexpr double shortest_interval = 1. / 4096.;
 constexpr double scan_step = 1. / 16.; ///< step of a scan; two closer zeros may be missed
 /// Distance of two spins above which the difference of their torques is not dominated by rounding.
 constexpr double rounding_distance = 1e-6;
-/// Minimum distance of two spins from which a slope of the stability margin is computed. First: near the end
-/// of the balance; second: between rest and the zero.
+/// Minimum distance of two spins from which a slope of the stability margin is computed. First: near the spin
+/// at which the balance ends; second: between rest and the zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
 /// Maximum distance of an iterate from the known spin in find_terminal_spin_near().
 constexpr double neighbourhood = 1. / 10.;
@@ -402,7 +402,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // maximum relative step within which the load counts as constant
+  constexpr double nearly = 1e-7;    // maximum relative change of the spin with the load treated as constant
   constexpr double of_another = 0.1; // assumed relative error of `known.slope`
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);

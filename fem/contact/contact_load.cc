@@ -247,7 +247,7 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
         .second;
     return std::clamp(between, 0., least->density);
   }
-  // Parabola least + slope t + bend t^2 through the three values.
+  // Parabola least + slope t + bend t^2 through the three values; t: azimuth relative to `least`.
   const double fall = (before.density - least->density) / to_before,
                rise = (after.density - least->density) / to_after;
   const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;

@@ -23,8 +23,8 @@ namespace
 constexpr unsigned int min_nodes_across = 4;
 
 /// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
-/// vector): the minimum distance, along @p direction, to a tangent of the hull. With a moment balance, the
-/// weights of the moment conditions replace the positions. The hull of a ring is assumed to be a circle.
+/// vector): the minimum distance, along @p direction, to a tangent of the hull. For a moment balance, the
+/// moment weights of @p conditions replace the positions. The hull of a ring is assumed to be a circle.
 double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
 {
   if (is_ring)

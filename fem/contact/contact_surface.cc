@@ -18,8 +18,8 @@ Eigen::MatrixX3d ContactSurface::motion_modes() const
 
 unsigned int ContactSurface::n_nodes_across(const Eigen::VectorXd &pressure) const
 {
-  // Nodes in 8 adjacent bins count as side by side. Rounding errors of the azimuth move a node by at most one
-  // bin, so nodes of equal azimuth are counted together.
+  // A radial row is a window of 8 adjacent bins, an eighth of a sector. Rounding errors of the azimuth move a
+  // node by at most one bin, so one of the windows contains all nodes of equal azimuth.
   constexpr std::size_t n_bins_side_by_side = 8;
   const std::size_t n_bins = 8 * n_bins_side_by_side * n_sectors;
   std::vector<double> n_loaded(n_bins, 0);

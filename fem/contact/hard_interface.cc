@@ -68,7 +68,7 @@ public:
   double augmented_lagrangian_update(const Eigen::VectorXd &normal_displacement) override
   {
     const Eigen::VectorXd updated = forces(normal_displacement);
-    // |f - multiplier| / stiffness is the penetration of a loaded node. For an unloaded node it is the
+    // |updated - multipliers| / stiffness is the penetration of a loaded node. For an unloaded node it is the
     // previous multiplier, expressed as a length.
     const Eigen::Index n = surface.n_owned_nodes();
     const double violation =

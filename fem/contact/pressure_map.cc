@@ -189,7 +189,8 @@ double radius_of_share(const std::vector<PressurePoint> &cut, double share)
     const double piece = length(i) * (density(i) + density(i + 1)) / 2;
     if (remaining < piece)
     {
-      // Solves remaining = h (p_0 t + (p_1 - p_0) t^2 / 2) for t without cancellation.
+      // Solves wanted = start t + rise t^2 / 2 for t in [0, 1], the position in the interval, without
+      // cancellation.
       const double start = density(i), rise = density(i + 1) - start, wanted = remaining / length(i);
       return cut[i].radius +
              length(i) * 2 * wanted / (start + std::sqrt(std::max(0., start * start + 2 * rise * wanted)));

@@ -17,7 +17,7 @@ Eigen::Vector2d coulomb_friction(const Eigen::Vector2d &slip, double limit)
 
 Eigen::Vector2d SlidingTraction::direction(double radius, double azimuth) const
 {
-  // v_rel / v = (1, 0) + (omega / v) r e_theta, in radial and azimuthal components.
+  // v_rel / v = e_x + (omega / v) r e_theta, in radial and azimuthal components.
   const double theta = azimuth + axes_rotation;
   const Eigen::Vector2d slip(std::cos(theta), -std::sin(theta) + spin_per_speed * radius);
   return coulomb_friction(slip,

@@ -240,8 +240,8 @@ void meet_corners(const GlassProfile &profile, double size, GridLines &radii)
   }
 }
 
-/// Returns the growth of the rows of cells from the land up to @p end. If contact cells are halved (focus),
-/// the lowest row is at most as high as the coarse contact cells are wide.
+/// Returns the growth of the cell heights from the land up to @p end. If contact cells are halved (focus),
+/// the lowest cells are at most as high as the coarse contact cells are wide.
 Growth rows_of(const ContactCells &contact, const GlassProfile &profile, double end)
 {
   return { contact.has_focus ? end * std::min(1., contact.coarse_size / lowest_cell_height(profile)) : end };

@@ -41,8 +41,8 @@ SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
 
 ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
 {
-  // If the top rises outwards, points of the foot may lie above the middle of the fillet, so the radius is
-  // compared with the stem too. The tolerance allows for rounding of points on the stem's surface.
+  // If the top rises outwards, points of the foot may lie above the middle of the fillet, but only outside
+  // the stem. The tolerance allows for rounding of points on the stem's surface.
   if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
   {
     const double bottom = profile.underside(point.radius);

@@ -23,7 +23,7 @@ void require_resolved(unsigned int n_harmonics, unsigned int n_lines)
 }
 
 /// Sums (even) and differences (odd) of the values of functions on the lines j and -j, j = 0 ... n_lines / 2.
-/// A line on the plane of symmetry counts once.
+/// On a line in the plane of symmetry, `even` is the value and `odd` is 0.
 struct MirrorSums
 {
   explicit MirrorSums(const Eigen::Ref<const Eigen::MatrixXd> &samples)

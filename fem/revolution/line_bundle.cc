@@ -37,7 +37,8 @@ void apply_tangent(Index n, Index band, const Lanes *bands, Index i, const Lanes
   }
 }
 
-/// Solves by elimination. The solutions overwrite the right-hand sides, which are the last @p n_rhs columns.
+/// Solves @p n linear equations in each lane of @p system by elimination. The solutions overwrite the
+/// right-hand sides, which are the last @p n_rhs columns.
 STEMWARE_TARGET_CLONES
 void eliminate(Index n, Index n_rhs, Lanes *system)
 {

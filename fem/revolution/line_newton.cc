@@ -18,8 +18,8 @@ namespace
 /// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
 /// norm of the compliance.
 constexpr double step_accuracy = 1e-4;
-/// If at least this number of polynomials is needed (land wide compared with the shortest wavelength), an
-/// inexact step is accepted if it reduces the error to at most the fraction slowest_contraction.
+/// From this number of polynomials on (land wide compared with the shortest wavelength), a step less accurate
+/// than step_accuracy is accepted if its contraction factor is at most slowest_contraction.
 constexpr Eigen::Index many_functions = 10;
 constexpr double slowest_contraction = 0.2;
 
@@ -310,7 +310,7 @@ LineNewton::Increment LineNewton::solve(const LinearConditions &conditions,
   RowMatrix system = system_of_amplitudes(on_lines); // [A, B, a]
   solve_dense(system, 4);                            // overwrites B and a with A^-1 B and A^-1 a
   const Eigen::MatrixXd held = system.rightCols<4>();
-  const Eigen::MatrixXd tested = // C; the three columns of a mode are consecutive
+  const Eigen::MatrixXd tested = // C: one row per condition, one column per amplitude
     response.basis().project(of_conditions.topRows(3 * p)).reshaped(3, n);
   Increment increment;
   increment.resistance = beside.leftCols<3>() - tested * held.leftCols<3>();

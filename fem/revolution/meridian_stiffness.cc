@@ -128,7 +128,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
 {
   const FiniteElement<2> &element = dof_handler.get_fe();
   const unsigned int n_dofs = element.n_dofs_per_cell(), n_shapes = n_dofs / 3;
-  std::vector<unsigned int> order; // element numbering of the cell's degrees of freedom
+  std::vector<unsigned int> order; // [3 i + c]: deal.II's index of component c of function i
   for (unsigned int i = 0; i < n_shapes; ++i)
     for (unsigned int c = 0; c < 3; ++c)
       order.push_back(element.component_to_system_index(c, i));

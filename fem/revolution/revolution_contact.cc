@@ -49,8 +49,8 @@ struct Path
 };
 
 /// Solves a contact for which Newton's method does not converge directly: the moment grows in steps from
-/// zero (solution @p even), and a failed step is halved. If the shortest step fails, throws its
-/// ContactFailure, or "tipping" if the tilt diverges and the required moment depends on the tilt or friction.
+/// zero (solution @p even), and a failed step is halved. Throws ContactFailure if the shortest step fails;
+/// its outcome is `tipping` if the tilt diverges and the required moment depends on the tilt or friction.
 ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const LinearConditions &conditions,
                                    double radius, const ContactControl &usual, const ContactSolution &even)
 {

@@ -16,7 +16,8 @@ namespace stemware::fem
 namespace
 {
 
-/// The elastic and the rigid foot use the same mesh if the ratio of their compliances is below this limit.
+/// A rigid foot uses the mesh of the elastic foot if the elasticity of the foot multiplies the compliance of
+/// foot and substrate by less than this factor.
 constexpr double most_added_by_foot = 1.2;
 
 } // namespace

@@ -174,7 +174,7 @@ void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
   correction.reset(); // it refers to the old `sum`
   sum.copy_from(stiffness);
   for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
-    sum.add(entry.row, entry.column, entry.value); // within the pattern of K: the nodes share a cell
+    sum.add(entry.row, entry.column, entry.value); // in the sparsity pattern: both nodes share a cell
   sum.compress(VectorOperation::add);
   correction = coarse_preconditioner(sum, modes);
 }

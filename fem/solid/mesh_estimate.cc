@@ -147,8 +147,8 @@ using DofVector = MeshHierarchy::Vector;
 /// The dual solution serves only as refinement indicator, so a loose tolerance suffices.
 constexpr double dual_tolerance = 1e-4;
 
-/// Stopping rule on the finer elements: bound of the goal's change in the last step relative to its total
-/// change, and bound of the relative residual of the forces.
+/// Stopping rule on the finer elements: maximum change of MeshError::correction in the last Newton step,
+/// relative to the correction, and maximum relative residual of the forces.
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 

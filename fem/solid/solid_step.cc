@@ -77,7 +77,7 @@ struct StepNumbers
 
   /// Tolerances of W = (K + B' T B)^-1 G: loose in the preconditioner, tight in close_conditions().
   double loose_border = 0.02, tight_border = 1e-3;
-  /// W is omitted if the Schur complement is at least this fraction of C for every table motion.
+  /// W is omitted if the Schur complement is at least this fraction of C = Q' T Q for every table motion.
   double small_border = 0.2;
   /// Growth factor of the table's stiffness above which the decision to omit W is made again.
   double much_stiffer = 4;

@@ -19,7 +19,8 @@ using namespace dealii;
 namespace
 {
 
-/// Computes the stiffness of a cell. A matrix product gives [3 a + i, 3 b + j] = int d_i N_a d_j N_b.
+/// Computes the stiffness of a cell from the integrals of d_i N_a d_j N_b (shape functions N_a), which one
+/// matrix product gives as entries [3 a + i, 3 b + j].
 void compute_cell_stiffness(const FEValues<3> &values, const ElasticMaterial &material,
                             FullMatrix<double> &matrix)
 {

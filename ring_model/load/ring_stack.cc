@@ -14,7 +14,7 @@ namespace stemware::ring
 namespace
 {
 /// Returns the angle between @p from and @p to at which @p function changes sign, to 1e-9 rad. The integrals
-/// and extrema computed from it are stationary at the exact angle, so their error is of second order.
+/// and extrema computed with this angle are stationary at the exact angle, so their error is of second order.
 template <typename Function>
 double sign_change(const Function &function, double from, double to)
 {

@@ -129,7 +129,7 @@ AdaptiveCurve::Piece AdaptiveCurve::through_ends(const CurveSource &source, doub
 void AdaptiveCurve::refine(const CurveSource &source, Piece &piece)
 {
   constexpr double safety = 2; // the error may be larger at other points
-  // Maximum reduction of the error estimate by one sample, because a larger reduction may be accidental.
+  // Maximum factor by which one sample reduces the error estimate; a larger reduction may be accidental.
   constexpr double usual_gain = 10;
   const double x = next_place(piece);
   const Eigen::VectorXd &exact = sample(source, x);

@@ -14,7 +14,7 @@ namespace
 {
 
 /// Returns the largest n <= @p n_most for which the load has a balance at the spins step, 2 step, ..., n
-/// step. Only every @p stride-th spin is tested, except near the end of the balance.
+/// step. Only every @p stride-th spin is tested until a balance is missing, then every spin.
 int n_balances(const Load &load, double step, int stride, int n_most)
 {
   int n_found = 0;
@@ -49,8 +49,9 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
   return much * std::abs(at_spin.lean_torque()) < min_torque;
 }
 
-/// Returns the range of spins in which friction may drive the glass: up to 1.05 v / R if the balance ends
-/// earlier or friction brakes at all higher spins (in each direction), otherwise up to 1.5 v / R.
+/// Returns the range of spins in which friction may drive the glass. It ends at 1.5 v / R if, in at least one
+/// direction, the balance exists up to 1.05 v / R and friction does not brake at all higher spins.
+/// Otherwise it ends at 1.05 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);
@@ -82,7 +83,8 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
-  // Contact solves are costly, so zeros are found on a coarse interpolated curve and refined with the load.
+  // Contact solves are costly, so zeros of the torque are found with a coarsely interpolated load and refined
+  // with `load`.
   double reach = 1e-4 * unit;
   const auto scan = [&, step = step]
   {

@@ -137,7 +137,7 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   return asked;
 }
 
-/// Fills @p found with the terminal spin, or with the fall if the glass tips.
+/// Fills @p found with the terminal spin, or with the spin at which the glass tips.
 void find_spin(const Load &load, const Question &question, Answer &found)
 {
   found.harmonics = load.n_harmonics();

@@ -17,7 +17,8 @@ namespace
 {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Returns friction plus lean torque [N m]; constant beyond the fall's spin, which time steps may exceed.
+/// Returns friction plus lean torque [N m] as a function of time, angle and spin. It is constant beyond the
+/// spin at which the glass tips (@p fall), because time steps may exceed this spin.
 PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
@@ -154,7 +155,8 @@ Load interpolated_for_curves(const Load &load, const Answer &found, double lower
     return find_or_nullopt(
       [&] { return load.interpolated(std::min(one, other), std::max(one, other), tolerance, similar); });
   };
-  // The load changes steeply near the end of the balance. A tight tolerance would need too many samples.
+  // The load changes steeply near the spin at which the glass tips. A tight tolerance would need too many
+  // samples.
   CurveTolerance near_fall;
   near_fall.relaxed = 1e-3;
   if (found.fall)

@@ -15,8 +15,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Tolerance of the mean load over the phases and of its interpolation in the spin. In most studies it is a
-/// tenth of the uncertainty due to waviness.
+/// Torque tolerance [mu N R] of the load averaged over the phases and of its interpolation in the spin. In
+/// most studies it is a tenth of the uncertainty due to waviness.
 constexpr double tolerance = 1e-5;
 /// Maximum torque errors [mu N R] of the mean load (part of the error band) and of the load interpolated in
 /// the phase (affects mainly the ripple of the spin).

@@ -36,7 +36,8 @@ Eigen::VectorXd PeriodicGrid::weights(double angle) const
 {
   if (n_nodes == 1)
     return Eigen::VectorXd::Ones(1);
-  // Barycentric trigonometric interpolation with an even number of nodes: weights (-1)^i cot((x - x_i) / 2).
+  // Barycentric trigonometric interpolation with an even number of nodes: weights (-1)^i cot((x - x_i) / 2)
+  // with x = 2 pi angle / period.
   const double half = pi * angle / period, of_cosine = std::cos(half), of_sine = std::sin(half);
   const Eigen::ArrayXd distance = of_sine * cosine - of_cosine * sine;
   Eigen::Index nearest = 0;

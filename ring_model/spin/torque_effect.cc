@@ -23,7 +23,8 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
   return TorqueEffect::AtSpin{ torque->change(n), torque->rest(n), torque->bound(n) };
 }
 
-/// Returns the spin near @p spins[i], the sample with the largest |change|, at which |change| is largest.
+/// Returns the spin at which |change| is largest. @p i: index of the sample in @p spins with the largest
+/// |change|.
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
