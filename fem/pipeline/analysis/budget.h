@@ -53,7 +53,7 @@ struct HarmonicEffect
 /// Effect on the terminal spin of each step from the paper's model to the study's (docs/theory/budget.md).
 /// Rows 1, 1a, 2 and 2a: first harmonic on a ring of the contact radius. From row 3 on the contact is solved
 /// with its whole pressure; friction uses the rings' harmonics up to BudgetRow::harmonics. Without a contact,
-/// a first harmonic ends with row 2 or 2a; a load file has no row 2 and no "without" rows.
+/// the rows of a first-harmonic load end with row 2 or 2a; a load file has no row 2 and no "without" rows.
 struct Budget
 {
   std::vector<BudgetRow> rows; ///< the last one is the study itself
@@ -61,12 +61,13 @@ struct Budget
   std::vector<InputRow> inputs; ///< input_variants() with an effect
   HarmonicEffect harmonics;
 
-  /// Spins of BudgetRow::torques: 0, half and all of the terminal spin; only 0 if the glass tips [rad/s].
+  /// Spins of BudgetRow::torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> shown_spins = {};
 };
 
-/// Returns @p difference over @p reference; 0 if the difference is rounding, below 1e-9 @p spin_scale
-/// [rad/s]; std::nullopt if one is missing, or if reference or new value is rounding or their signs differ.
+/// Returns @p difference over @p reference; 0 if |difference| is below the rounding error 1e-9 @p spin_scale
+/// [rad/s]. Returns std::nullopt if an argument is missing, if the reference or its sum with the difference
+/// is below the rounding error, or if these two have different signs.
 std::optional<double> relative_to(const std::optional<double> &reference,
                                   const std::optional<double> &difference, double spin_scale);
 
@@ -75,7 +76,7 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
                                double spin_scale);
 
 /// Returns model_chain(), variants_without() and input_variants() of @p own, the study itself, for
-/// find_budget(). @p depends_on_phase: whether the study's load does.
+/// find_budget(). @p depends_on_phase: true if the load does.
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics.

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 
 /// Returns the error bands of a study from a few additional contacts: each numerical parameter is changed by
 /// itself, and the change is one of the parts that the band sums (docs/method/error_bands.md). Quantities:
-/// load and table motion at rest; torque at rest and at half and one and a half times the terminal spin;
+/// load and table motion at rest; torque at rest and at 0.5 and 1.5 times the terminal spin;
 /// terminal spin and time constant; effect of the harmonics beyond the first. With waviness, and if the load
 /// depends on the direction of the moment, torques are means over four phases of the period.
 ///
@@ -32,9 +32,9 @@ ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot>
 std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
 
 /// Sets the band of each row with a terminal spin from the contact, from the bands @p of_all harmonics (last
-/// row) and @p of_first harmonic [rad/s]. A row has the wider one, but at most either band plus the distance
-/// to its row, because discretisation changes small differences by a fraction. Without @p of_first, only rows
-/// closer to the last row than its band get one; without @p of_all, none.
+/// row) and @p of_first harmonic [rad/s]. A row has the wider of the two bands, but at most either band plus
+/// the difference from the spin of its row: discretisation changes small differences only by a fraction.
+/// Without @p of_first, only rows closer to the last row than its band get a band; without @p of_all, no row.
 void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
                std::vector<BudgetRow> &rows);
 

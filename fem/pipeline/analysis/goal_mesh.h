@@ -46,12 +46,12 @@ struct MeshForGoal
   std::optional<GoalOutcome> outcome; ///< std::nullopt if the study has no goal
 };
 
-/// Returns the discretisation of @p study, the default without a goal, with cells halved until the estimated
-/// error of Contact/Goal is within its tolerance, and the sum of the cells' shares, which may cancel, within
-/// five tolerances. On each mesh the cells with most of the error are halved. @p progress receives the
-/// meshes. Throws BadInput for a mesh file whose load depends on the direction of the moment;
-/// std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or the estimate fails; and as
-/// find_load() and ring::terminal_spin(). Collective if the body is.
+/// Returns the discretisation of @p study; the default without a goal. On each mesh, the cells with most of
+/// the error are halved. The last mesh meets two conditions: the estimated error of Contact/Goal is within
+/// its tolerance, and the sum of the cells' absolute shares in this error is within five tolerances. @p
+/// progress receives the meshes. Throws BadInput for a mesh file whose load depends on the direction of the
+/// moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or the estimate fails;
+/// and as find_load() and ring::terminal_spin(). Collective if the body is.
 MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
                           Progress &progress = silent_progress());
 

@@ -82,16 +82,16 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
                                                    std::vector<double> spins = {},
                                                    const std::optional<double> &omega_guess = {});
 
-/// Returns half and one and a half times the terminal spin, where torques are evaluated by default.
+/// Returns 0.5 and 1.5 times the terminal spin, where torques are evaluated by default.
 std::vector<double> spins_of_interest(double omega_terminal);
 
 /// Returns the quantity @p key. Throws std::out_of_range if there is none.
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// Returns the change of the quantity @p key from @p before to @p after; for terminal spin and torques the
-/// largest change of torque at half, one and one and a half times the terminal spin, because errors of
-/// harmonics may cancel at one spin; NaN if one is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
+/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques, it is
+/// the largest change of torque at 0.5, 1 and 1.5 times the terminal spin, because errors of harmonics may
+/// cancel at one spin; NaN if a torque is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
 double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
                              const std::vector<QuantityOfInterest> &after, double yaw_inertia);
 

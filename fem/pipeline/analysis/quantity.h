@@ -128,7 +128,8 @@ struct Type
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
-/// Returns the JSON Schema of a number, text, list, optional or pointer (or null); @p part for other types.
+/// Returns the JSON Schema of a C++ type: number, text or list; for an optional or a pointer, also null;
+/// @p part for other types.
 inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
 {
   return { { "type", "string" } };
@@ -199,15 +200,15 @@ struct Field
     (words(quantity), ...);
   }
 
-  /// Creates an object with the members @p fields of the result of @p read: a list of objects for a vector,
-  /// null for an optional or a pointer without value.
+  /// Creates a field whose value is a JSON object: @p fields of the result of @p read. The value is a list of
+  /// objects if this result is a vector, and null if it is an optional or a pointer without value.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         Words... words)
       : Field(key, description, fields, read, ByKey{ nullptr }, words...)
   {
   }
-  /// Creates an object with the rows of a vector as members under their keys.
+  /// Creates a field whose value is a JSON object; its members are the rows of a vector under their keys.
   template <typename Part, typename Read, typename Key, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
         ByKey<Key> by_key, Words... words);

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 enum class AxisKind
 {
   cells,  ///< algebraic, like size^p with halved sizes; bands are added
-  degree, ///< spectral, same errors as `cells`: the wider of the two bands is used
+  degree, ///< spectral; estimates the same error as `cells`, so the wider of the two bands is used
   azimuth ///< spectral, harmonics and azimuth lines; bands are added
 };
 
@@ -50,9 +50,10 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels);
 /// Throws std::invalid_argument without values or for values that are not finite.
 RefinementSequence assess_convergence(const std::vector<double> &values, AxisKind kind, double rounding);
 
-/// Solves the levels of @p axes and returns the bands of @p own, quantities_of_load() of the study: the sum
-/// over the axes of cells (or the band of the degree, if wider and with finer levels) plus the bands of
-/// harmonics and lines. Throws ring::NoBalance with the name of the first level that fails.
+/// Solves the levels of @p axes and returns the bands of @p own, quantities_of_load() of the study. A band is
+/// the sum of the bands of all axes of cells (or the band of the degree, if this is wider and the degree has
+/// finer levels) and of the bands of harmonics and lines. Throws ring::NoBalance with the name of the first
+/// level that fails.
 ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
                   const Executor &executor, Progress &progress = silent_progress());
 

@@ -39,7 +39,7 @@ bool is_variant_failure(const std::exception &failure);
 
 /// Returns the foot of @p variant: a clone of @p foot, the study's foot, if the variant uses it; else a new
 /// foot, with initial guesses predicted from @p foot, if given. Throws ring::Tipping if the variant tips at
-/// rest, BadInput if it is not to be solved, and if its mesh or the factorisation fails.
+/// rest, and BadInput if it is not to be solved or if its foot cannot be made (mesh, factorisation).
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 

@@ -26,7 +26,7 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< all harmonics last
   std::vector<LoadedRow> others;       ///< further variants
-  /// Spins of the torques: 0, half and all of the terminal spin; only 0 if the glass tips [rad/s].
+  /// Spins of the torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> torque_spins = {};
 };
 
@@ -72,10 +72,10 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
 /// Returns the rows for truncation_orders() of @p load, find_load() of @p foot; all harmonics last. Fewer
 /// harmonics have their own balance if the load is two-way, else the truncated load; each row is compared
-/// with the last. Depth::answer, and balances of a solid body or with waviness, which are slow, have the rows
-/// 1 and all only. Depth::full adds torques at StudyRows::torque_spins. @p others are solved with the rows,
-/// so that no thread idles. Throws as @p load, and if all harmonics have no answer; if the glass tips during
-/// the spin-up, the last row has a `fall`, and no row is compared with it.
+/// with the last. Only the rows of one and of all harmonics are solved with Depth::answer, and for slow
+/// balances (solid body, waviness). Depth::full adds torques at StudyRows::torque_spins. @p others are solved
+/// with the rows, so that no thread idles. Throws as @p load, and if all harmonics have no answer; if the
+/// glass tips during the spin-up, the last row has a `fall`, and no row is compared with it.
 StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                             const ring::Load &load, ring::Question question, const Executor &executor,
                             Progress &progress = silent_progress(), Depth depth = Depth::full,

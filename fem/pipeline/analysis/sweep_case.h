@@ -35,8 +35,8 @@ struct CaseResult
 CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
                        Progress &progress = silent_progress());
 
-/// Makes the foot, on mesh_for_goal(), and solves. @p start: foot of a similar study, whose contacts are
-/// initial guesses (the result changes within tolerance); replaced by the foot of @p study.
+/// Solves a study on a new foot with the mesh of mesh_for_goal(). @p start: foot of a similar study, whose
+/// contacts are initial guesses (they change the result within tolerance); replaced by the foot of @p study.
 CaseResult case_result(const Study &study, const Executor &executor, Progress &progress = silent_progress(),
                        std::shared_ptr<ElasticFoot> *start = nullptr);
 

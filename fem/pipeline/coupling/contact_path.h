@@ -12,15 +12,16 @@ namespace stemware::pipeline
 class ContactPath
 {
 public:
-  /// Returns the initial guess of the contact under @p demand at @p slip, from contacts with the same marks.
-  /// `previous`: @p before, or the last contact if nullptr. `predicted`: the polynomial in the spin through
-  /// the nearest contacts under the same demand or at rest; if fewer than two exist, or if contacts of the
-  /// similar foot are much nearer, the polynomial through the latter; else the nearest contact.
+  /// Returns the initial guess of the contact under @p demand at @p slip, from contacts with the same
+  /// orientation of glass and table. `previous`: @p before, or the last contact if nullptr. `predicted`: the
+  /// polynomial in the spin through the nearest contacts under the same demand or at rest. If fewer than two
+  /// exist, or if contacts of the similar foot are much nearer, the polynomial passes through the contacts of
+  /// the similar foot. If it has none, `predicted` is the nearest contact.
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
-  /// Returns the contact in the first zone with the same marks that is nearest to @p slip towards rest, if
-  /// any.
+  /// Returns the contact at the spin nearest to @p slip, between rest and @p slip, if any. It must have the
+  /// same orientation of glass and table, and zone 0.
   std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip) const;
 
   /// Appends a solved contact.

@@ -10,7 +10,8 @@ struct Discretisation
 {
   double fineness = 1;                   ///< factor on the default fineness of the cells
   unsigned int halvings_beyond_zone = 0; ///< RevolutionSetup::halvings_beyond_zone
-  /// Factor on the penalty of a hard interface; below 1, for a solid foot, on the stiffness of any interface.
+  /// Factor on the penalty of a hard interface. For a solid foot, a factor below 1 also multiplies the
+  /// stiffness of other interfaces.
   double hardness = 1;
   unsigned int line_factor = 1; ///< factor on the contact lines of each face of a solid foot
   std::vector<std::vector<unsigned int>> halved_cells = {}; ///< indices of the halved cells, mesh after mesh

@@ -11,8 +11,8 @@
 namespace stemware::pipeline
 {
 
-/// Sampling of a load that depends on the phase. Under a hard table, where each phase takes ten times as
-/// long, `coarse` (for results other than the answer) has a quarter of the samples of `full`.
+/// Sampling of a load that depends on the phase. `coarse`, for results other than the answer, has fewer
+/// samples than `full`: a quarter on a hard table, where each phase takes ten times as long.
 enum class PhaseSampling
 {
   full,

@@ -15,7 +15,8 @@ fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptio
                                double memory_limit = ContactSection().memory_limit);
 
 /// Throws BadInput about the first defect of a mesh: parts not connected to the stem cut, inverted cells,
-/// swapped ids, a contact zone in several parts, with faces up or sideways, or not round the z axis.
+/// swapped ids, or a contact zone that has several parts, that faces up or sideways, or whose centre is not
+/// on the z axis.
 void require_usable(const std::string &origin, const fem::MeshCheck &check,
                     const fem::MeshFileOptions &marks = {});
 

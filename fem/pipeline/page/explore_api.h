@@ -1,7 +1,7 @@
 #pragma once
 
 /// C interface of the live solver, one Explorer. Functions return UTF-8 JSON, valid until the next call;
-/// failures are {"error": message}, answers have the "document" of the page of `run` as far as it is known.
+/// failures are {"error": message}. Answers contain a part of the "document" of the page of `run`.
 extern "C"
 {
   /// Resets to the default study without compliances.

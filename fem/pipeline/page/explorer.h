@@ -55,9 +55,10 @@ public:
   /// Returns the match of the mesh with the present study.
   MeshMatch mesh_match() const;
 
-  /// Solves the study with all and with the first @p n_harmonics harmonics: from the last answer, to 1e-7
-  /// rad/s and without the state at rest, if that converges; like `stemware run` if @p cold. Throws BadInput
-  /// for a rejected study, and as contact solves and balances at rest.
+  /// Solves the study with all and with the first @p n_harmonics harmonics. If @p cold, solves it like
+  /// `stemware run`. Otherwise starts from the last answer: if the solve converges, the spin is accurate to
+  /// 1e-7 rad/s, and the state at rest is not computed. Throws BadInput for a rejected study, and as contact
+  /// solves and balances at rest.
   LiveAnswer solve(unsigned int n_harmonics, bool cold);
 
   /// Returns the curves of the last answer; std::nullopt without a spin.

@@ -29,7 +29,8 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
 /// Adds "torque": friction torque with fewer and with all harmonics and, unless empty, @p of_paper.
 void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Results &results);
 
-/// Adds "spin_up": spins with all harmonics, with the first @p n_first unless 0, and of the paper's model.
+/// Adds "spin_up": spins with all harmonics, with the first @p n_first harmonics (if not 0), and of the
+/// paper's model.
 void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Results &results);
 
 /// Adds "phases": torque over the azimuth of the mark of the glass or the table.

@@ -29,7 +29,8 @@ void append(std::string &text, const std::string &sentence);
 /// Returns "one-way " if the load at rest is used at every spin; empty otherwise.
 std::string one_way_word(const LoadSection &load);
 
-/// Returns @p sentence, which begins with a capital; if the load is one-way, after a clause that says so.
+/// Returns @p sentence, which begins with a capital letter. If the load is one-way, "With the load at rest
+/// kept at every spin (one-way), " or a similar clause is inserted before the sentence.
 std::string under_its_load(const LoadSection &load, std::string sentence);
 
 /// Returns the sense of a spin seen from above: "clockwise, against its orbit".

@@ -17,9 +17,9 @@ namespace stemware::pipeline
 class SweepFile
 {
 public:
-  /// Creates the file, or reads the finished cases of an earlier run. Throws OutputFailure, with nothing
-  /// changed, if require_replaceable() rejects the folder, for another version, base study, input file or
-  /// column, and for a row that is no case of the list.
+  /// Creates the file, or reads the finished cases of an earlier run. Throws OutputFailure and changes
+  /// nothing if require_replaceable() rejects the folder, if version, base study, input files or columns
+  /// differ from the earlier run, or if a row is no case of the list.
   SweepFile(const std::filesystem::path &wanted, const CaseList &list);
 
   const FinishedCases &finished() const { return cases; }

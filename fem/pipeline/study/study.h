@@ -42,7 +42,7 @@ struct Study
   fem::Resultants required_resultants() const;
 
   /// Returns the moment ratio at which the glass tips: 2 r_o / R on a flat land of outer radius r_o, 2 on a
-  /// crowned rim or a ring. Infinite for a mesh file, whose contact zone decides.
+  /// crowned rim or a ring. Infinite for a mesh file, whose contact zone is not known here.
   double tipping_ratio() const;
 
   /// Returns v / R with the contact radius of the glass [rad/s].

@@ -84,8 +84,9 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
 /// Returns a copy of entry_at() @p path of the default study, with @p option as the origin.
 StudyEntry find_entry(const std::string &option, const std::string &path);
 
-/// Returns @p message of a library of fem/ with paths for names of several words of entries of glass, table
-/// and contact: "Glass/Foot radius" for "Foot radius" or "foot radius".
+/// Returns @p message, written by a library of fem/, with names of entries replaced by their paths:
+/// "Glass/Foot radius" for "foot radius". Replaces names of at least two words in the sections Glass, Table
+/// and Contact.
 std::string with_entries(const std::string &message);
 
 } // namespace stemware::pipeline

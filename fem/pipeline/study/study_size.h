@@ -27,7 +27,8 @@ StudySize size_of(const Study &study);
 /// Returns a sentence about the memory of a study that needs more than 1 GB; empty otherwise.
 std::string memory_note(const Study &study);
 
-/// Throws BadInput, naming the costliest entry, above Contact/Memory limit or Motion/Step limit.
+/// Throws BadInput that names the costliest entry if @p study exceeds Contact/Memory limit or Motion/Step
+/// limit.
 void require_affordable(const Study &study);
 
 } // namespace stemware::pipeline
