@@ -237,7 +237,7 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMomentRatio)
 }
 
 // Rigid flat lands. References: closed forms on a mat; tests/verification/annular_punch.py for an annular
-// punch on a hard bonded layer.
+// punch on a bonded elastic layer.
 
 Study flat_study(double width, double moment_ratio, double direction)
 {

@@ -254,13 +254,14 @@ TEST(ErrorBands, ExistForEveryBudgetRowWithAContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfBudgetRowsAreAtMostTheLastBandPlusTheDifferenceFromTheLastRow)
+TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfAllAndOfTheFirstHarmonics)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),
                                   row(9, -3.6501), row(10, -3.65), { { 11 }, "" }, row(12, -3.65) };
   std::vector<BudgetRow> without_first = rows;
   add_bands(1e-3, 3e-3, rows);
+  // Row 9: the last band plus the difference of the spins of row 9 and the last row.
   const std::vector<std::optional<double>> expected = { {}, {}, 3e-3, 3e-3, 1.1e-3, 1e-3, {}, 1e-3 };
   for (std::size_t i = 0; i < rows.size(); ++i)
   {

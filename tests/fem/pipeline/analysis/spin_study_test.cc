@@ -57,7 +57,7 @@ TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
   EXPECT_NEAR(curves.euler.back(), curves.adaptive.back(), 1e-2);
 }
 
-TEST(SpinStudy, BalancesEachTruncatedLoadWithItsOwnHarmonics)
+TEST(SpinStudy, SolvesTheMomentBalanceAnewForEachTruncatedLoad)
 {
   const Study study = quick_contact_study();
   fem::ComplianceCache cache;
