@@ -254,7 +254,7 @@ TEST(ErrorBands, ExistForEveryBudgetRowWithAContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfAllAndOfTheFirstHarmonics)
+TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfAllHarmonicsAndOfTheFirst)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),

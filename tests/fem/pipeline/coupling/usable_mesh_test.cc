@@ -128,7 +128,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
   expect_sentence(text(), "100 % faces sideways");
 }
 
-/// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the foot radius.
+/// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the rim radius.
 TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });
