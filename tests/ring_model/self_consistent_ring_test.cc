@@ -37,7 +37,7 @@ TEST(UnilateralRim, AgreesWithTheReferenceClosures)
   }
 }
 
-TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
+TEST(SelfConsistentRing, BalancesMomentsAndIsMirroredByTheOppositeOrbitSense)
 {
   for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
     for (const double omega : { 0., -4., 6., 15. })
@@ -45,8 +45,8 @@ TEST(SelfConsistentRing, BalancesMomentsAndFrictionInBothOrbitSenses)
       Motion motion;
       motion.centre_of_mass_height = 0.09;
       const RingEquilibrium there = SelfConsistentRing(closure, motion, 0.03).at(omega);
-      // Moment balance: M_N = -dz k x F + z_CM k x T with the friction T and the force F = m a - T of the
-      // hand.
+      // Moment balance: M_N = -dz e_z x F + z e_z x T, with the moment M_N of the load, the friction force T
+      // and the force F = m a - T of the hand. Closure::paper uses F = m a.
       const double dz = motion.force_offset, T_x = there.friction.force_x, T_y = there.friction.force_y;
       const double F_y = 0.3 * 0.35 * 0.35 / 0.15 - (closure == Closure::paper ? 0. : T_y);
       const double F_x = closure == Closure::paper ? 0. : -T_x;
@@ -82,8 +82,8 @@ TEST(SelfConsistentRing, BalancesMomentsUnderStribecksLaw)
 
 TEST(UnilateralRim, UprightSlidingIsStableUnderACompressiveLoad)
 {
-  // Closed form for a hand at the height h of the centre of mass: -d tau/d eps = mu N R (<cos^2> - (mu h/R)
-  // <cos>) = mu N R Var(cos), with means <.> over the rim weighted by the load.
+  // Closed form for a hand at the height h of the centre of mass: -d tau / d(omega R / v) = mu N R (<cos^2> -
+  // (mu h / R) <cos>) = mu N R Var(cos), with means <.> over the rim weighted by the load.
   Motion motion;
   motion.force_offset = 0.;
   motion.centre_of_mass_height = 0.09;

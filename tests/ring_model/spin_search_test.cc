@@ -79,9 +79,9 @@ TEST(SpinSearch, FindsTheFirstTorqueZeroUnderRandomLoads)
 
 TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
 {
-  // Closed form of the first harmonic: a_0 K_0(eps) + b_1(eps) K_1(eps) = tau_g sgn(omega) / (mu R); b_1 is
-  // constant for Closure::paper. The terminal spins were computed with 40 digits (mpmath, kernels by
-  // quadrature).
+  // Closed form for a load of the harmonics 0 and 1: a_0 K_0(eps) + b_1(eps) K_1(eps) = grip sgn(omega) /
+  // (mu R), with the friction kernels K_n and eps = omega R / v. For Closure::paper, b_1 is constant. The
+  // terminal spins were computed with 40 digits (mpmath, kernels by quadrature).
   struct Row
   {
     Closure closure;
@@ -118,7 +118,7 @@ TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGripOrAtZeroTorque)
   EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
   const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
-  // Upright sliding: the torque vanishes at rest, so the glass rests without a grip.
+  // The torque vanishes at zero spin, so the spin is zero without a grip.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }
@@ -131,7 +131,7 @@ TEST(SpinSearch, ReturnsTheFirstOfSeveralTorqueZeros)
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
 }
 
-TEST(SpinSearch, StepsBackFromSpinsWithoutBalanceAndReportsTheLastSpin)
+TEST(SpinSearch, StepsBackFromSpinsWithoutBalanceAndReportsTheLastWithBalance)
 {
   const auto torque_up_to = [](double limit, double zero)
   {
@@ -192,7 +192,7 @@ TEST(SpinSearch, FindsANarrowGapWithoutBalanceByTheStabilityMargin)
     }
 }
 
-TEST(SpinSearch, ReportsTippingAtATorqueJumpWithALowMargin)
+TEST(SpinSearch, ReportsTippingAtATorqueJumpButNotAtASteepContinuousDrop)
 {
   // At 0.7 rad/s, a second balance begins and the torque jumps by `drop`. `beyond` is added to the stability
   // margin of the second balance. A change of the torque by `drop` over 2e-3 rad/s is no jump.

@@ -83,7 +83,7 @@ TEST(TorqueEffect, HigherHarmonicsDoNotChangeTheTorqueAtRest)
     EXPECT_NEAR(TorqueByHarmonics(Motion(), load_at(0.), 0.).rest(n), 0., ulps(5, 1e-3));
 }
 
-TEST(TorqueEffect, CurvesEndAtTheTippingSpin)
+TEST(TorqueEffect, IsComputedOnlyUpToTheTippingSpin)
 {
   const Motion motion;
   const Load load(

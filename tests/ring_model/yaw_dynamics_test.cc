@@ -88,10 +88,10 @@ TEST(OrbitSpeedTable, InterpolatesLinearlyOnRequest)
   EXPECT_GT(std::abs(table.speed(0.25) - 0.2), 1e-3); // the monotone cubic differs from the polygon
 }
 
-/// Reference for a driven glass, without code of the library. Speeds: monotone cubic of Fritsch and Carlson.
-/// Friction: sums over the rim. Moment balance: M_N = -dz m k x acceleration + (z_CM + dz) k x T. Time
-/// integration: classical Runge-Kutta, with steps that end at the times of the speed table and at zero spin.
-struct HandByRows
+/// Independent reference for a driven glass. Speeds: monotone cubic of Fritsch and Carlson. Friction force T
+/// and torque: sums over the rim. Moment of the load: M_N = -dz m e_z x acceleration + (z_CM + dz) e_z x T.
+/// Time integration: classical Runge-Kutta, with steps that end at the times of the table and at zero spin.
+struct DrivenReference
 {
   std::vector<double> times, speeds;
   double grip = 0.;
@@ -215,7 +215,7 @@ struct HandByRows
 
 TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
 {
-  const HandByRows ramp{ { 0., 0.2 }, { 0.15, 0.55 } };
+  const DrivenReference ramp{ { 0., 0.2 }, { 0.15, 0.55 } };
   const OrbitSpeedTable table(ramp.times, ramp.speeds);
   expect_relative(driven_torque(Closure::full, Motion(), 0.03, table)(0.1, 0., -3.), ramp.torque(0, 0.1, -3.),
                   1e-12, "formula");
@@ -223,13 +223,13 @@ TEST(HandDrive, TorqueOnARampAgreesWithTheMomentBalance)
 
 TEST(HandDrive, SpinAgreesWithRungeKuttaAtAndBetweenTheTimesOfTheTable)
 {
-  const HandByRows braking{ { 0., 0.3, 0.55, 0.8, 1.1, 1.3 }, { 0.3, 0.35, 0.33, 0.15, 0.13, 0.2 } };
+  const DrivenReference braking{ { 0., 0.3, 0.55, 0.8, 1.1, 1.3 }, { 0.3, 0.35, 0.33, 0.15, 0.13, 0.2 } };
   EXPECT_LE(braking.largest_error(1e-6, 60), 1e-6 * 0.35 / 0.03);
 }
 
 TEST(HandDrive, FingersHoldAndReleaseTheGlass)
 {
-  const HandByRows hand{ { 0., 0.4, 0.8, 1., 1.5, 2. }, { 0.35, 0.35, 0.05, 0.05, 0.3, 0.35 }, 0.0009 };
+  const DrivenReference hand{ { 0., 0.4, 0.8, 1., 1.5, 2. }, { 0.35, 0.35, 0.05, 0.05, 0.3, 0.35 }, 0.0009 };
   double held = 0.;
   const auto expected = hand.motion(100, &held);
   EXPECT_GT(held, 0.8);

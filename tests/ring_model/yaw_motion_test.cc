@@ -17,7 +17,7 @@ namespace
 constexpr double inertia = 3e-4; // [kg m^2]
 
 /// Damped ring with the torque tau = -damping (1 + roughness sin phi) (omega - drive) + bump cos phi, where
-/// phi = psi - orbit t is the angle of a mark on the ring.
+/// phi = yaw angle - orbit t is the angle of a mark on the ring.
 struct MarkedRing
 {
   double damping = 1.2e-3; ///< [N m s]
@@ -296,7 +296,7 @@ TEST(YawMotion, EulerConvergesAtFirstOrderAndRefusesZeroSteps)
   EXPECT_THROW(yaw_motion_euler(ring, inertia, 0., 0., 10), std::invalid_argument);
 }
 
-TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
+TEST(LongTimeSpin, AgreesWithIntegrationOverTheAngleOfTheMark)
 {
   const MarkedRing ring;
   const LongTimeSpin spin = long_time_spin(ring, inertia, 0., 25., 1e-9, 10.);
@@ -309,8 +309,8 @@ TEST(LongTimeSpin, AgreesWithManyRevolutionsOfTheMark)
 
 TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
 {
-  // Without inertia, phi = psi - orbit t satisfies phi' = drive - orbit + bump / damping cos phi, and the
-  // mean of phi' has a closed form. The time constant of the ring is 8e-6 s, the averaging window 25 s.
+  // Without inertia, phi = yaw angle - orbit t satisfies phi' = drive - orbit + bump / damping cos phi, and
+  // the mean of phi' has a closed form. The time constant of the ring is 8e-6 s, the averaging window 25 s.
   const MarkedRing ring;
   unsigned int n_torques = 0;
   const auto counted = [&](double time, double yaw_angle, double omega)
@@ -362,7 +362,7 @@ TEST(LongTimeSpin, RippleIsMeasuredInTheLastWindow)
   EXPECT_NEAR(spin.ripple, start * (std::exp(-rate) - std::exp(-2. * rate)) / 2., 1e-9);
 }
 
-TEST(LongTimeSpin, LocksToTheOrbitUnderAStrongMark)
+TEST(LongTimeSpin, LocksToTheOrbitIfTheBumpExceedsTheDampingTorque)
 {
   MarkedRing ring;
   ring.bump = 1.1 * ring.damping * std::abs(ring.orbit - ring.drive);

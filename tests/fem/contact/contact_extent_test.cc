@@ -200,7 +200,7 @@ TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
       const Pressed found =
         pressed_at(annulus(land, row.inner, row.outer, n_lines), 10, row.eccentricity, 0, 1e9);
       const ContactExtent &extent = found.extent;
-      const double allowed = 12 / std::pow(n_lines, 2); // error due to a kink between two lines
+      const double allowed = 12 / std::pow(n_lines, 2); // error due to the contact edge between two lines
       // Closed forms for the pressure p = slope (x - zero).
       const double slope = 10 / exact.per_slope;
       EXPECT_NEAR(extent.peak_pressure / (slope * (row.outer - exact.zero)), 1, allowed) << row.eccentricity;

@@ -61,6 +61,7 @@ TEST(ContactLoad, RadiusPreservesTheMomentOfTwoRings)
 
 TEST(ContactLoad, RadiusAtZeroMomentIsTheLimitForVanishingMoment)
 {
+  // Forces f (1 + c x) have the radius sum f r^2 / sum f r for every c.
   std::vector<PointForce> forces;
   for (unsigned int i = 0; i < 24; ++i)
     for (const double radius : { 0.028, 0.034 })
@@ -139,7 +140,7 @@ TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
   }
 }
 
-TEST(ContactLoad, MinimumIsFoundBetweenTheLines)
+TEST(ContactLoad, MinimumIsFoundBetweenSamplesAndIsNotNegativeUnderCompression)
 {
   // The minimum of 0.5 + 0.45 cos(theta - phase) is 0.05. The lowest sample exceeds the minimum by up to
   // 2e-3, and the minimum of a parabola through three samples has an error of 1e-5. The trigonometric

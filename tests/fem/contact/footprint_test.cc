@@ -79,7 +79,7 @@ TEST(Footprint, WidthContainsNinetyNinePercentOfALoadWithoutEdge)
 }
 
 /// On one half of the rim, the outer half of the land is loaded; on the other half, only a single point at
-/// the outer edge. There the loaded width is zero, and the mean pressure must not become 0 / 0.
+/// the outer edge. In the cut through this point, the loaded width is zero. The mean must not become 0 / 0.
 TEST(Footprint, MeanIsFiniteForASingleLoadedPointAndNanWithoutLoad)
 {
   PressureMap footprint;

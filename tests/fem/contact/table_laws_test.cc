@@ -149,7 +149,7 @@ TEST(InterfaceHalfWidth, PressureWithinItIntegratesToTheLineLoad)
   EXPECT_NEAR(sum / line_load, 1, 1e-7);
 }
 
-TEST(InterfaceHalfWidth, EqualsTwoAndAHalfStandardDeviationsOnARoughTable)
+TEST(InterfaceHalfWidth, IsTwoAndAHalfStandardDeviationsOfTheGaussianPressureOnARoughTable)
 {
   const double crown_radius = 2e-3;
   const RoughInterface rough(1e9, 1e-6);

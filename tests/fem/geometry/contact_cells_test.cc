@@ -182,7 +182,7 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
   }
 }
 
-TEST(ContactCells, RefuseImpossibleFoci)
+TEST(ContactCells, RefuseAFocusOutsideTheLandTooManyCellsAndNoGrowth)
 {
   MeridianResolution outside;
   outside.focus_size = 1e-4;

@@ -93,7 +93,7 @@ class FootMeshOfShape : public testing::TestWithParam<GlassShape>
 INSTANTIATE_TEST_SUITE_P(Shapes, FootMeshOfShape, testing::Values(GlassShape::step, GlassShape::foot),
                          [](const auto &info) { return info.param == GlassShape::step ? "step" : "foot"; });
 
-TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
+TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndStemCut)
 {
   GlassProfile profile;
   profile.shape = GetParam();
@@ -125,7 +125,7 @@ TEST_P(FootMeshOfShape, BoundaryIdsMarkLandAndCut)
   EXPECT_EQ(n_cut, 16u + 16u); // core of 4 x 4 cells and the ring around the core
 }
 
-/// p4est requires consistent edges in a coarse mesh, but checks them in debug builds only.
+/// p4est requires consistent edge orientations in a coarse mesh, but checks them in debug builds only.
 TEST_P(FootMeshOfShape, CellsHaveConsistentEdgeOrientations)
 {
   GlassProfile profile;

@@ -100,7 +100,7 @@ TEST(GlassProfile, FilletIsTangentialToStemAndTop)
     }
 }
 
-TEST(GlassProfile, RefusalsNameTheQuantity)
+TEST(GlassProfile, RefusesInvalidLengthsAndNamesThem)
 {
   struct Case
   {

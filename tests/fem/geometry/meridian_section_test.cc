@@ -138,7 +138,7 @@ TEST(MeridianSection, RedundantPointsHardlyChangeTheProfile)
     EXPECT_NEAR(section.topside(radius), plain.topside(radius), 4e-7) << radius;
 }
 
-TEST(MeridianSection, RefusalsNameTheLineOfTheFile)
+TEST(MeridianSection, RefusesInvalidPolylinesAndNamesTheLineOfTheFile)
 {
   EXPECT_EQ(refusal_of(plain_foot), "");
   const auto expect_line = [](const std::string &sentence, const std::string &words)
@@ -205,7 +205,7 @@ TEST(SectionCells, OfASolidMeshHaveTheAreaOfTheProfile)
   EXPECT_NEAR(area, 0.004 * 0.001 + 0.034 * 0.004 + 0.005 * 0.010, 3e-3 * area);
 }
 
-TEST(DrawnProfile, LandIsFlattenedWithASmoothTransition)
+TEST(DrawnProfile, LandIsFlattenedWithASmoothTransitionAndMustContainTheLowestPoint)
 {
   // The rim has a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is more than
   // 0.04 mm above the lowest point.

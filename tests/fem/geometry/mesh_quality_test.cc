@@ -59,7 +59,7 @@ TEST(MeshCheck, ContactFacesCoverTheLand)
   EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
 }
 
-TEST(MeshCheck, ReportsTheScaledJacobianOfSkewCells)
+TEST(MeshCheck, ReportsTheScaledJacobianOfSkewAndInvertedCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
   EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
@@ -89,7 +89,7 @@ TEST(MeshCheck, ReportsTheMeasuresOfAGeneratedFoot)
   EXPECT_EQ(check.upward_share, 0);
 }
 
-TEST(MeshWriter, VtuFileContainsJacobiansAndBoundaryIds)
+TEST(MeshWriter, VtuFileIsReproducibleAndContainsVerticesJacobiansAndBoundaryIds)
 {
   Triangulation<3> foot;
   make_foot_mesh(GlassProfile(), { 8, 2, 1 }, foot);

@@ -136,7 +136,7 @@ TEST(RimCircle, DependsContinuouslyOnItsPoints)
       before = circle->contact_radius;
     }
   }
-  // A jump of a single point into the fit would change the radius by at least 20 um.
+  // A jump of a single point into the fit would change the contact radius by at least 20 um.
   EXPECT_LT(largest, 2e-6);
 }
 

@@ -94,7 +94,7 @@ TEST(ComplianceCache, EvictsBeyondItsCapacity)
   const auto first = with_modulus(1e9);
   with_modulus(2e9);
   EXPECT_EQ(with_modulus(1e9), first);
-  const auto third = with_modulus(3e9); // evicts the other two compliances
+  const auto third = with_modulus(3e9); // a full cache is emptied
   EXPECT_EQ(with_modulus(3e9), third);
   EXPECT_EQ(cache.n_computed(), 3u);
   EXPECT_NE(with_modulus(1e9), first);

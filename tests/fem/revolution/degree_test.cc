@@ -27,7 +27,7 @@ INSTANTIATE_TEST_SUITE_P(Degree, EveryDegree, testing::Values(1u, 2u, 3u, 4u),
 
 } // namespace
 
-TEST_P(EveryDegree, LinesCoverTheLandExactlyOnce)
+TEST_P(EveryDegree, LinesCoverTheLandOnceAndHaveTheGapOfTheProfile)
 {
   const GlassProfile profile;
   const RevolutionCase foot(profile, compliance(profile, graded_cells()), 64);

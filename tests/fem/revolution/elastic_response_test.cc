@@ -1,4 +1,4 @@
-// Reference: compliance matrices assembled force by force.
+// Reference: compliance matrices assembled column by column from the displacements under unit forces.
 #include "fem/contact/rough_interface.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"
@@ -16,8 +16,8 @@ constexpr unsigned int few_lines = 20;
 constexpr unsigned int few_harmonics = 6;
 
 /// Returns u_z on the lines under a unit force on circle @p i of line @p j [m/N]: the sum over the harmonics
-/// of a point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi. Harmonics above few_harmonics act on line
-/// @p j only. An azimuthal force contributes -sin n(theta - theta_j) / pi times its compliance.
+/// of a point force, 1 / (2 pi) + sum cos n(theta - theta_j) / pi. Harmonics above few_harmonics move line @p
+/// j only. An azimuthal force contributes -sin n(theta - theta_j) / pi times its compliance.
 Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::Index i, Eigen::Index j,
                                        const SlidingTraction &traction)
 {

@@ -7,9 +7,9 @@
 using stemware::ring::pi;
 using namespace stemware::revolution_tests;
 
-// Closed form: in full contact on a Winkler mat, a rigid annulus has the tilt stiffness kappa = pi k (r2^4 -
-// r1^4) / 4.
-TEST(Tilt, AmplificationUnderARigidAnnulusAgreesWithTheClosedForm)
+// Closed form: on a Winkler mat of the modulus k, a rigid annulus in full contact has the tilt stiffness
+// kappa = pi k (r2^4 - r1^4) / 4. The tilt moment N z_CM multiplies the moment by 1 / (1 - N z_CM / kappa).
+TEST(Tilt, MomentAmplificationOfARigidAnnulusAgreesWithTheClosedForm)
 {
   for (const double modulus : { 1e9, 1e10 })
     for (const double height : { 0., 0.08, 0.3 })
@@ -33,8 +33,8 @@ TEST(Tilt, AmplificationUnderARigidAnnulusAgreesWithTheClosedForm)
     }
 }
 
-// Reference: lean theta(M) under prescribed moments, without tilt moment. A leaning glass is in balance if M
-// - N z_CM theta(M) equals the prescribed moment. Below the maximum of M - N z_CM theta(M), two moments M
+// Reference: lean theta(M) under the moment M, computed without tilt moment. A leaning glass is in balance if
+// M - N z_CM theta(M) equals the prescribed moment. Below the maximum of M - N z_CM theta(M), two moments M
 // satisfy this equation.
 TEST(Tilt, ReturnsTheFirstOfTwoBalances)
 {

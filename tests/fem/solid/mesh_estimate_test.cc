@@ -79,8 +79,8 @@ Estimated estimated(const SolidMesh &mesh, const GlassProfile &profile, unsigned
   return { goal.of_load(state.load), foot.mesh_error(state, goal, true).value() };
 }
 
-/// Returns the value of the goal on a body of revolution, with elements of degree 4 on a mesh refined once
-/// (error 1e-8).
+/// Returns the goal on a body of revolution, with elements of degree 4 on a mesh refined once (error of the
+/// goal: 1e-8).
 double of_body_of_revolution(const GlassProfile &profile, double friction)
 {
   RevolutionSetup setup;
@@ -97,7 +97,7 @@ double of_body_of_revolution(const GlassProfile &profile, double friction)
 
 } // namespace
 
-TEST(MeshEstimate, IsCloseToTheErrorOnGoalOrientedMeshesLong)
+TEST(MeshEstimate, IsCloseToTheErrorThatGoalOrientedRefinementReducesTenfoldLong)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
   const double truth = of_body_of_revolution(profile, 0);
@@ -140,7 +140,8 @@ TEST(MeshEstimate, IsCloseToTheErrorWithFrictionOrLinearElementsLong)
 }
 
 // With the stiff penalty law of a hard table, an estimate from a single Newton step would be too small.
-// Reference: cubic elements graded towards the inner edge of the land and the corners, with an error of 2e-6.
+// Reference: elements of degree 3 on a mesh graded towards the inner edge of the land and the corners
+// (error of the goal: 2e-6).
 TEST(MeshEstimate, IsCloseToTheErrorOfAFlatLandOnAHardTableLong)
 {
   RevolutionSetup setup;

@@ -149,7 +149,7 @@ TEST(Ranks, ContactWithoutCoarserMeshesIsIndependentOfTheNumberOfRanks)
   expect_the_same_on_all_ranks({ 24, 4, 2 }, 1);
 }
 
-TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
+TEST(Ranks, ContactSurfacesOfTheRanksAddUpToTheWholeSurface)
 {
   const auto surface_on = [](MPI_Comm communicator)
   {
@@ -181,7 +181,7 @@ TEST(Ranks, EachRankOwnsTheContactSurfaceOfItsCells)
 }
 
 // Reference: file of a single rank, read without deal.II.
-TEST(Ranks, FieldFilesContainEveryCellOnce)
+TEST(Ranks, FieldFilesContainEveryCellOnceWithTheFieldsOfASingleRank)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
