@@ -151,8 +151,8 @@ double truth(const Case &study)
   return second_harmonic(study).of_load(MeshedRevolutionFoot(setup).solve(study.demand, study.slip).load);
 }
 
-/// Prints a row of the table. Returns the error estimate if @p estimates is true, otherwise a default
-/// MeshError.
+/// Solves the contact on @p mesh and prints a row of the table. Returns the error estimate if @p estimates is
+/// true, otherwise a default MeshError.
 MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const char *kind, bool estimates)
 {
   const ContactGoal goal = second_harmonic(study);

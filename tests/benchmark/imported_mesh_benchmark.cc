@@ -6,7 +6,8 @@
 // cells=48,2,2 (around the rim, across the land, through the foot), halvings=1, degree=2, crown=0 (a flat
 // land of 2 mm), shape=foot|step, defect=none|oval|lobes|chip|off_axis|pads|wavy, width=0.95 (of an oval,
 // divided by its length), modulus=1e11, moment=1.3. off_axis: the axis of the foot is 10 mm from the z axis;
-// pads: three sectors of 40 degrees reach the table; wavy: the land has three waves of 1 µm.
+// lobes: three waves of 1 µm raise and lower the whole foot; chip: 30 degrees of the edge are missing; pads:
+// three sectors of 40 degrees reach the table; wavy: the land has three waves of 1 µm.
 #include "fem/contact/contact_load.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/foot_mesh.h"

@@ -25,8 +25,8 @@ double order_of(const ContactLoad &one, const ContactLoad &halved, const Contact
   return std::log2((value(one) - value(halved)) / (value(halved) - value(quartered)));
 }
 
-/// Returns the smallest exponent of the displacement at a free re-entrant corner of 270 degrees, sin(3 pi
-/// lambda / 2) = lambda (Williams 1952): 0.5445.
+/// Returns the smallest exponent lambda of the displacement r^lambda at a free re-entrant corner of 270
+/// degrees, sin(3 pi lambda / 2) = lambda (Williams 1952): 0.5445.
 double exponent_of_the_corner()
 {
   double below = 0.5, above = 0.6;
@@ -51,7 +51,7 @@ double distance_from_calculix(const ContactLoad &load)
 
 } // namespace
 
-TEST(Convergence, HarmonicsConvergeAtTheOrderOfTheCorners)
+TEST(Convergence, HarmonicsConvergeToCalculiXAtTheOrderOfTheCorners)
 {
   // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). On fine meshes of any
   // degree, the harmonics therefore converge like h^(2 lambda).

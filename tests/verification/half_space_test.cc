@@ -1,4 +1,4 @@
-// References: closed forms with quadrature (Boussinesq, Cerruti, transfer function of a layer); for punches
+// References: closed forms with quadrature (Boussinesq, Cerruti, transfer function of a layer); for punches:
 // annular_punch.py (docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
 #include "fem/revolution/compute_compliance.h"
@@ -125,7 +125,7 @@ TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
 {
   const struct
   {
-    double ratio, load, moment; ///< radii inner / outer; P/(2 E* a delta); 3 M/(4 E* a^3 alpha)
+    double ratio, load, moment; ///< inner / outer; force / (2 E* outer depth); 3 torque / (4 E* outer^3 tilt)
   } punches[] = { { 0.5, 0.9895262242, 0.9960429791 },
                   { 0.7, 0.9473028987, 0.9741349404 },
                   { 0.9, 0.8269807294, 0.8624369366 } };

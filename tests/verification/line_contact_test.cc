@@ -21,9 +21,9 @@ namespace
 {
 
 /// Returns the displacement at the middle of a line load cos(n theta) with Hertz half-width b on a ring of
-/// radius R, in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. For n b << R the
-/// displacement is -4 sum_{k <= n} 1 / (2k - 1). For larger n b / R, a second term is added: 2 int p K_0(n
-/// |x| / R) dx of a straight line load minus its limit for small n b / R. @p slenderness: b / R.
+/// radius R, in units of line load / (pi E*), minus the constant 2 ln(16 R / b) + 1. The result is
+/// -4 sum_{k <= n} 1 / (2k - 1) + 2 int p (K_0(z) + ln(z / 2) + 0.577) dx with z = n |x| / R and the Hertz
+/// pressure p of unit force per length. The integral vanishes for n b << R. @p slenderness: b / R.
 double half_space_eigenvalue(unsigned int n, double slenderness)
 {
   double sum = 0;
@@ -42,8 +42,8 @@ double half_space_eigenvalue(unsigned int n, double slenderness)
 }
 
 /// Solves x (L - ln x) + S[x] = w_0 + w_1 cos(theta) for the relative line load x = q / mean q > 0 and the
-/// motions w_0 and w_1 by Newton's method. L = 2 ln(16 R / b_0) + 1; S multiplies harmonic n by
-/// half_space_eigenvalue(n).
+/// motions w_0 and w_1 by Newton's method. L = 2 ln(16 R / b_0) + 1 with the half-width b_0 under
+/// the mean load. S multiplies harmonic n by half_space_eigenvalue(n).
 class LineContact
 {
 public:
@@ -160,7 +160,7 @@ TEST(LineContact, OracleAgreesWithPublishedValues)
 TEST(LineContact, AgreesWithTheOracleOnACrownedRingInFullContact)
 {
   const LineContact expected(0.5, 256, slenderness);
-  const ContactLoad load = press_ring(0.5, 65); // odd number of lines
+  const ContactLoad load = press_ring(0.5, 65); // the next test has an even number of lines
   EXPECT_EQ(load.contact_fraction, 1);
   // The tolerance of a_2 = 0.0069 is 1 %, the ratio of width and radius. The tolerance of the other harmonics
   // is the error from contact edges that cross cell borders.

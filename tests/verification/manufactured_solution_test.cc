@@ -1,4 +1,5 @@
-// Manufactured solution: u = d cos(k . x) with -div sigma = ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
+// Manufactured solution: u = d cos(k . x) with the amplitude d and the wave vector k. The body force is
+// ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
 #include "fem/solid/stiffness_3d.h"
 
 #include <deal.II/base/quadrature_lib.h>

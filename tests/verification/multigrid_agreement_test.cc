@@ -52,7 +52,7 @@ TEST(MultigridAgreement, CrownedFeetAgreeWithTheBodyOfRevolution)
   EXPECT_LT(CrownedFoot(GlassShape::step).error_of({ 48, 2, 2, 1 }), 3e-5);
 }
 
-TEST(MultigridAgreement, HangingNodesInTheContactReduceTheError)
+TEST(MultigridAgreement, RefiningTheLandWithHangingNodesReducesTheError)
 {
   // Hanging nodes border the refined cells inside and around the land. GlassShape::foot has a fillet, so that
   // errors at corners do not dominate.
@@ -81,8 +81,9 @@ TEST(MultigridAgreement, HardFlatLandAgreesWithOtherPrograms)
     EXPECT_NEAR(load.a(n) / load.a(0), expected[n], n <= 3 ? 2e-3 : 4e-3) << "n = " << n;
 }
 
-// The solid body's cells are halved five times towards the edges of the land. Reference: body of revolution
-// of degree 3 on a graded mesh, with twice the default number of lines and 1.5 times the default harmonics.
+// The cells of the solid foot are halved five times towards the edges of the land. Reference: body of
+// revolution with elements of degree 3, a graded mesh, twice the default number of azimuth lines and 1.5
+// times the default number of harmonics.
 TEST(MultigridAgreement, HardFlatLandAgreesWithTheBodyOfRevolutionLong)
 {
   RevolutionSetup setup;

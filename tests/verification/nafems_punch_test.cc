@@ -109,7 +109,7 @@ struct PunchCells
 PunchCells fine_cells_of_punch(const PunchParameters &parameters, double smallest)
 {
   constexpr double growth = 1.25;
-  constexpr double fine = 2e-3; // width of fine cells outside the flat part; contact ends at 40.4 mm
+  constexpr double fine = 2e-3; // width of the finely meshed edge zone [m]; contact ends at 40.4 mm
   constexpr double end = 0.045; // outer radius of the contact zone [m]
   PunchCells cells;
   cells.on_contact = reversed(graded_lengths(flat_radius, smallest, growth, 3e-3));
@@ -153,7 +153,7 @@ void make_section(const std::vector<double> &columns, const std::vector<double> 
   GridTools::transform(shape, triangulation);
 }
 
-/// Makes the section of the punch. A spot on the axis of the top is fixed; its reaction vanishes, because
+/// Makes the section of the punch. The innermost face of the top is fixed. Its reaction vanishes, because
 /// pressure and contact force are in equilibrium.
 void make_punch(const PunchCells &cells, Triangulation<2> &triangulation)
 {

@@ -49,7 +49,7 @@ protected:
       stiff_without_transverse_strain);
   }
 
-  /// Returns the largest relative deviation of the nodal pressure f_i / int N_i dA from N / A.
+  /// Returns the largest relative deviation of the nodal pressure (force / node area) from weight / area.
   double nonuniformity(const ContactSolution &solution) const
   {
     const ContactSurface &surface = body->contact_surface();
@@ -63,7 +63,7 @@ protected:
 
 } // namespace
 
-TEST_P(Patch, PressureOnAMatIsUniform)
+TEST_P(Patch, PressureOnAMatIsUniformAndSettlementIsExact)
 {
   const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
@@ -75,7 +75,7 @@ TEST_P(Patch, PressureOnAMatIsUniform)
 
 /// The gap is exactly 0. A solver that stores the gap as a constraint value and finds contact nodes by
 /// non-zero values would fail.
-TEST_P(Patch, PressureOnAHardTableIsUniform)
+TEST_P(Patch, PressureOnAHardTableIsUniformAndSettlementIsExact)
 {
   const auto table = HardInterface().make(body->contact_surface(), 70e9 / body->contact_cell_size());
   const ContactSolution solution = solve_contact(*body, *table, load_at(0), 0.02);

@@ -15,16 +15,16 @@ namespace
 {
 
 /// Redirects standard output to the string `text` during its lifetime.
-class Heard
+class CapturedOutput
 {
 public:
-  Heard()
+  CapturedOutput()
       : before(std::cout.rdbuf(text.rdbuf()))
   {
   }
-  ~Heard() { std::cout.rdbuf(before); }
-  Heard(const Heard &) = delete;
-  Heard &operator=(const Heard &) = delete;
+  ~CapturedOutput() { std::cout.rdbuf(before); }
+  CapturedOutput(const CapturedOutput &) = delete;
+  CapturedOutput &operator=(const CapturedOutput &) = delete;
 
   std::ostringstream text;
 
@@ -35,22 +35,22 @@ private:
 TEST(ConsoleProgress, CountsTorqueEvaluationsOfALongMotion)
 {
   Stopwatch stopwatch;
-  const Heard heard;
+  const CapturedOutput output;
   ConsoleProgress progress(stopwatch);
   const ring::TimeObserver observer = motion_observer(progress);
   std::size_t n_torques = 0;
-  for (; heard.text.str().empty(); ++n_torques)
+  for (; output.text.str().empty(); ++n_torques)
   {
     observer(0.25);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  std::istringstream lines(heard.text.str());
+  std::istringstream lines(output.text.str());
   std::string line;
-  ASSERT_TRUE(std::getline(lines, line)) << heard.text.str();
+  ASSERT_TRUE(std::getline(lines, line)) << output.text.str();
   std::istringstream words(line);
-  std::size_t n_told = 0;
-  ASSERT_TRUE(words >> n_told) << line;
-  EXPECT_EQ(n_told, n_torques);
+  std::size_t n_printed = 0;
+  ASSERT_TRUE(words >> n_printed) << line;
+  EXPECT_EQ(n_printed, n_torques);
   EXPECT_NE(line.find("0.25 s"), std::string::npos) << line;
   EXPECT_FALSE(std::getline(lines, line)) << line;
 }

@@ -98,7 +98,7 @@ TEST(ContactRun, ResultsDoNotDependOnTheUnits)
   }
 }
 
-TEST(ContactRun, ReadsARoundAndAnOvalMeshFile)
+TEST(ContactRun, OnlyTheOvalOfTwoMeshFilesGivesHigherHarmonicsAndSpinRipple)
 {
   const ScratchFolder scratch;
   const auto flat = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh" });

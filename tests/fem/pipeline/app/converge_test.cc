@@ -32,7 +32,7 @@ TEST(ConvergeRun, WritesOrdersAndBands)
   EXPECT_NEAR(spin["order"].get<double>(), order, 1e-9);
   EXPECT_NEAR(spin["limit"].get<double>(), values[2] + (values[2] - values[1]) / (std::exp2(order) - 1),
               1e-9);
-  // The order is above 0.5 (re-entrant corners) and below 2.05 (smooth section).
+  // The order of convergence is above 0.5 (re-entrant corners) and at most about 2 (smooth section).
   EXPECT_GT(order, 0.5);
   EXPECT_LT(order, 2.05);
 

@@ -65,7 +65,7 @@ std::string moving_script(const std::string &page)
   return found;)";
 }
 
-TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgramAndTheTippingHeight)
+TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgramAndAWaitingPageStatesTheTippingHeight)
 {
   const ScratchFolder scratch;
   const nlohmann::json found =
@@ -86,8 +86,8 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgramAndTheTippingHeight)
     EXPECT_TRUE(found[width]["errors"].empty()) << found[width]["errors"];
     EXPECT_EQ(found[width]["serious"], nlohmann::json::array()) << found[width]["serious"].dump(1);
     EXPECT_LE(found[width]["width"].get<int>(), std::stoi(width)) << "the page has to be scrolled sideways";
-    // At rest, a ring tips at |M_N| = N R, i.e. at the hand height h with (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2:
-    // h = 0.15 m for k = v^2 / (rho g) = 0.0425 and mu = 0.2.
+    // A ring at rest tips if the moment of its load reaches weight times radius R, i.e. at the hand height h
+    // with (h - 0.1 m)^2 k^2 + h^2 mu^2 = R^2: 0.15 m for mu = 0.2 and k = 0.0425 (acceleration / gravity).
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("with the hand at about 150"));
     EXPECT_THAT(found[width]["waits"].get<std::string>(), testing::HasSubstr("Solving …"));
     EXPECT_NE(found[width]["text"].get<std::string>().find("rad/s"), std::string::npos);
@@ -203,6 +203,7 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
     for (const nlohmann::json &step : found["lesson"])
       EXPECT_THAT(step.get<std::string>(), testing::Not(testing::ContainsRegex("NaN|undefined|\u2013")));
   }
+  // A page is also written if the glass tips while it spins up.
   const Ended falls = with({ "explore", "--output", "falls.html", "--set",
                              "Motion/Centre of mass height=0.138", "--set", "Motion/Force offset=-0.05" });
   EXPECT_EQ(falls.exit_code, 0) << falls.err;

@@ -63,8 +63,8 @@ TEST(FrictionLawStudy, EqualCoefficientsGiveCoulombFriction)
 
 TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
 {
-  // Closed form: the friction T = -c int lambda v_rel is linear, so tau_z = c (v M_Nx - omega N <r^2>). With
-  // Closure::paper, omega = v M_Nx / (N <r^2>).
+  // Closed form: the torque of viscous friction is proportional to v M_x - omega N <r^2>, with the moment M_x
+  // of the load and its mean square radius <r^2>. With Closure::paper, omega = v M_x / (N <r^2>).
   Settings viscous = with_law("3e-11", "3e-11", "0.1", "1 s/m");
   viscous.push_back("Motion/Closure=paper");
   const double v = 0.35, N = 0.3 * 9.81, moment = -0.05 * 0.3 * v * v / 0.15;
@@ -80,14 +80,15 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(elastic) / (v * moment / (N * square / force)), 1, 1e-9);
   viscous.push_back("Load/Source=first harmonic");
   EXPECT_NEAR(spin_of(quick_run(viscous)) / (v * moment / (N * 0.03 * 0.03)), 1, 2e-10);
-  // With Closure::full, M_N = (M - h T_y, h T_x). M: moment without friction. h: height of the hand.
+  // With Closure::full, (M_x, M_y) = (M - h T_y, h T_x). T: friction force. M: moment without friction. h:
+  // height of the hand.
   viscous[5] = "Motion/Closure=full";
   const double h = 0.03, R = 0.03;
   double omega = 0;
   for (unsigned int i = 0; i < 200; ++i)
   {
-    // Balance for c = 1 s/m: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y = omega M_y, omega =
-    // v M_x / (N R^2).
+    // Balance for the viscous coefficient 1 s/m: M_x = M - h T_y, M_y = h T_x, T_x = -(v N - omega M_x), T_y
+    // = omega M_y, omega = v M_x / (N R^2).
     const double a = h * omega, moment_x = (moment + a * h * v * N) / (1 + a * a);
     omega = v * moment_x / (N * R * R);
   }

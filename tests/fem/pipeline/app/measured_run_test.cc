@@ -1,4 +1,4 @@
-// A measured run shown on the live page, loaded from tables of several formats.
+// Measured spin-ups are loaded into the live page from tables of several formats.
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/browser.h"
 #include "tests/fem/pipeline/matchers.h"

@@ -44,7 +44,7 @@ std::vector<double> integrated_ramp(double v0, double a, double end)
   const auto torque = [&](double t, double omega)
   {
     const double v = v0 + a * t;
-    // Rows: friction under the loads 1, cos(theta) and sin(theta). Columns: T_x, T_y and tau_z.
+    // Rows: friction under the loads 1, cos(theta) and sin(theta). Columns: forces in x and y, and torque.
     std::array<std::array<double, 3>, 3> unit = {};
     for (unsigned int i = 0; i < n; ++i)
     {
@@ -244,8 +244,8 @@ TEST(OrbitSpeed, NamesTheErrorOfABadFile)
   refused("t (s), v (m/s)\n0, 0.2\n0, 0.5\n", "line 3");
   refused("t (s), v (m/s)\n0, 0.2\n2, -1\n", "greater than 0");
   refused("t (s), v (m/s)\n0, 0.2\n1, 0\n2, 0.3\n", "line 3");
-  // With the hand 5 cm below the centre of mass and Closure::paper, the glass tips at v^2 / (rho g) = 32 mm /
-  // 5 cm (outer radius of the land / distance), i.e. v = 0.9704 m/s.
+  // With the hand 5 cm below the centre of mass and Closure::paper, the glass tips at acceleration / gravity
+  // = 32 mm / 5 cm (outer radius of the land / distance), i.e. v = 0.9704 m/s.
   refused("t (s), v (m/s)\n0, 0.2\n2, 1.2\n", "v = 0.97", { "Motion/Closure=paper" });
   refused("t (s), v (m/s)\n0, 0.2\n1, 0.5\n", "does not reach t = 2 s");
   refused(good, "Load/Coupling = two-way", { "Load/Moment ratio=0.3" });

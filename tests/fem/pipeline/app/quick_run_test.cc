@@ -12,7 +12,7 @@ namespace stemware::test
 namespace
 {
 
-/// Results of one study with and without --quick, from different initial guesses.
+/// Results of one study with and without --quick. The two runs iterate from different initial guesses.
 struct TwoRuns
 {
   TwoRuns()

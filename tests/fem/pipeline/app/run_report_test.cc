@@ -32,7 +32,7 @@ const LiftedRun &lifted_run()
   return run;
 }
 
-/// Returns the number after the first @p words in the text @p broken, which may be wrapped.
+/// Returns the number after the first occurrence of @p words in @p broken, a text with line breaks.
 double number_behind(const std::string &words, const std::string &broken)
 {
   const std::string text = std::regex_replace(broken, std::regex("\\s+"), " ");

@@ -65,7 +65,7 @@ TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
   EXPECT_NEAR(budget[2]["omega_terminal"].get<double>(), ring, 1e-7 * ring);
 }
 
-TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
+TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolutionIncludingFrictionCoupling)
 {
   const double expected = truncated_spin("Contact/Body=revolution");
   EXPECT_NEAR(truncated_spin("Contact/Body=solid") / expected, 1, 1e-4);
@@ -73,7 +73,7 @@ TEST(SolidRun, TerminalSpinAgreesWithTheBodyOfRevolution)
   EXPECT_GT(std::abs(without / expected - 1), 1e-3);
 }
 
-/// Settings of a coarse solid foot with an accuracy goal. Its error estimate takes one second.
+/// Settings of a coarse solid foot with an accuracy goal. The error estimate takes one second.
 const std::vector<std::string> coarse_with_goal = { "Contact/Body=solid",
                                                     "Contact/Degree=1",
                                                     "Contact/Azimuthal cells=12",

@@ -160,7 +160,7 @@ TEST(Sweep, ResumesAfterAKillBeforeTheFirstRow)
   EXPECT_EQ(sorted_lines(rows_in(scratch)), sorted_lines(whole));
 }
 
-TEST(Sweep, ExtendsItsOwnTableAndRefusesOtherFolders)
+TEST(Sweep, ExtendsItsOwnTableAndRefusesOtherTablesAndFolders)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", rigid_study);
@@ -206,7 +206,7 @@ TEST(Sweep, RefusesToResumeWithAChangedInputFile)
   expect_refused(stemware(scratch, arguments), 3, "reads ../b.dat");
 }
 
-TEST(Sweep, AFailedCaseIsReportedInItsRow)
+TEST(Sweep, FailedCasesAreReportedInTheirRowsAndFailTheSweepIfNoneSucceeds)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());

@@ -76,7 +76,7 @@ void expect_the_small_foot(const std::string &text)
   EXPECT_EQ(n_stem, n_stem_expected);
 }
 
-TEST(GmshMesh, ReadsFormat22AndRefusesBadVersionsAndCounts)
+TEST(GmshMesh, ReadsFormat22AndRefusesBadVersionsCountsAndElements)
 {
   const std::string text = written();
   expect_the_small_foot(text);
@@ -217,7 +217,7 @@ TEST(GmshMesh, NamesUnexpectedIdsAndTheEntriesToSet)
   expect_refused(text, "Contact/Mesh stem id = 5");
 }
 
-TEST(GmshMesh, RefusalOfPartitionedAndBinaryFilesNamesACommand)
+TEST(GmshMesh, RefusalOfPartitionedBinaryAndNewerFilesNamesACommand)
 {
   Mesh mesh;
   make_small_foot(mesh);

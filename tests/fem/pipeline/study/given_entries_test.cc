@@ -79,7 +79,7 @@ TEST(UnusedEntries, AreListedForEachChoiceOfTheModel)
   }
 }
 
-TEST(UnusedEntries, AreReportedInCompleteFilesIfTheyDifferFromTheDefault)
+TEST(UnusedEntries, AreReportedUnlessACompleteFileGivesTheirDefault)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());

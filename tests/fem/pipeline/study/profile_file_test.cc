@@ -66,8 +66,8 @@ TEST(ProfileFile, FitsTheRimUnlessItsRadiiAreGiven)
   EXPECT_EQ(profile_note(Study()), "");
 }
 
-/// Returns a rim at r = 29.5 mm with the crown radius 2.5 mm. The heights of the ten points on the land have
-/// alternating errors of @p error [mm].
+/// Returns the points of a foot with a rim at r = 29.5 mm of the crown radius 2.5 mm. The heights of the ten
+/// points on the land have alternating errors of @p error [mm].
 std::string scattered_foot(double error)
 {
   std::string points = millimetres + "0,3\n20,3\n";

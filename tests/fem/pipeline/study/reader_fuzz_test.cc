@@ -98,7 +98,7 @@ private:
         below(2) == 0 ? text.erase(end, next - end) : text.insert(end, text.substr(end, next - end));
       break;
     }
-    default: // insert a part many times
+    default: // insert a word or a part of the text many times
     {
       const std::string part = below(2) == 0 ? word() : text.substr(at, std::min<std::size_t>(n, 20));
       for (std::size_t i = below(3000); i > 0 && text.size() < 300000; --i)

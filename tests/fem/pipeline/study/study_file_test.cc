@@ -76,7 +76,7 @@ TEST(StudyFile, JsonAndPrmGiveTheSameStudy)
   EXPECT_EQ(study_as_json(json), study_as_json(prm));
 }
 
-TEST(StudyFile, OverridesReplaceFileValues)
+TEST(StudyFile, OverridesReplaceFileValuesAndMayNotRepeat)
 {
   const ScratchFolder scratch;
   const std::string file = scratch.write("a.prm", "subsection Motion\n  set Mass = 0.2\nend\n");
@@ -85,7 +85,7 @@ TEST(StudyFile, OverridesReplaceFileValues)
   EXPECT_THROW(read_study(file, { "Motion/Mass=0.4", "Motion/Mass=0.5" }), BadInput);
 }
 
-TEST(StudyFile, PathsAreRelativeToTheStudyFile)
+TEST(StudyFile, PathEntriesEndInFileAndAreRelativeToTheStudyFile)
 {
   const ScratchFolder scratch;
   for (const char *folder : { "meshes", "studies", "results" })
@@ -108,7 +108,7 @@ TEST(StudyFile, PathsAreRelativeToTheStudyFile)
     EXPECT_EQ(entry.name.rfind("ile") + 3 == entry.name.size(), entry.path_value != nullptr) << entry.path();
 }
 
-TEST(StudyFile, SuggestsEntriesForCommonSymbols)
+TEST(StudyFile, SuggestsEntriesForCommonSymbolsAndWords)
 {
   for (const auto &[word, meant] : {
          std::pair("Glass/E", "Glass/Young modulus"),
@@ -139,7 +139,7 @@ TEST(StudyFile, SuggestsExistingEntriesOnly)
     }
 }
 
-TEST(StudyFile, AcceptsAnEntryWithoutItsSection)
+TEST(StudyFile, AcceptsAnEntryWithoutItsSectionButNotTwice)
 {
   const ScratchFolder scratch;
   EXPECT_EQ(read_study("", { "Mass=250 g" }).motion.orbit.mass, 0.25);
