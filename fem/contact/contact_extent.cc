@@ -41,8 +41,8 @@ struct LineAreas
 };
 
 /// Returns the area of @p line and the part of the area in which the quadratic through @p excess is not
-/// positive. If both ends are loaded, the whole line counts as loaded, because the mesh does not resolve gaps
-/// inside a line (e.g. next to the singular edge of a hard land).
+/// positive. If both ends are loaded, the unloaded area is 0, because the mesh does not resolve gaps inside a
+/// line (e.g. next to the singular edge of a hard land).
 LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);

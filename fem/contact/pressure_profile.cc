@@ -16,7 +16,7 @@ PressureProfile PressureProfile::with(const PressureMoments &moments, double exp
   PressureProfile profile = { moments.azimuth, moments.middle, 0, exponent, 0 };
   if (!(moments.force > 0 && moments.variance > 0))
     return profile;
-  // The profile (1 - x^2)^a has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
+  // (1 - x^2)^a with a = exponent has the variance 1 / (2 a + 3) and the kurtosis 3 (2 a + 3) / (2 a + 5).
   profile.half_width = std::sqrt(moments.variance * (2 * exponent + 3));
   profile.peak = moments.force / profile.half_width * std::tgamma(exponent + 1.5) /
                  std::tgamma(exponent + 1) / std::sqrt(ring::pi);

@@ -37,7 +37,8 @@ std::vector<Vector2d> points_near(std::vector<SectionVertex>::const_iterator low
   return points;
 }
 
-/// Returns the weight at @p offset from the middle of the window: 1 inside, 0 outside, smooth in between.
+/// Returns the weight of a point in the fit. @p offset: radial distance from the circle's lowest point in
+/// half land widths. The weight is 1 up to `full`, 0 from `none` on, and smooth in between.
 double weight_at(double offset)
 {
   constexpr double full = 0.85, none = 1.15;
@@ -90,7 +91,7 @@ std::optional<RimCircle> fit_rim_circle(const std::vector<SectionVertex> &polyli
         right += weight * distance * derivative;
         sum_of_weights += weight, sum_of_squares += weight * distance * distance, ++n_points;
       }
-    // A step moves the window of points with the circle's lowest point. Full steps could oscillate.
+    // A step moves the circle's lowest point and thus changes the weights. Full steps could oscillate.
     const Vector3d step = 0.7 * matrix.fullPivLu().solve(right);
     if (n_points < 3)
       break;

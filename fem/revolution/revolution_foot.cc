@@ -255,7 +255,8 @@ std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &sta
                                                          const Foot &similar) const
 {
   const auto *other = dynamic_cast<const RevolutionFoot *>(&similar);
-  // Waviness, another interface or another compliance changes the contact width too much for a prediction.
+  // Waviness, a hard instead of a soft interface, or another compliance changes the contact width too much
+  // for a prediction.
   if (!other || !setup.imperfection.empty() || !other->setup.imperfection.empty() ||
       setup.table.interface->is_hard() != other->setup.table.interface->is_hard() ||
       setup.plane_strain_compliance() != other->setup.plane_strain_compliance())

@@ -61,7 +61,7 @@ struct FootNumbers
   double tighter = 0.02;
   /// Maximum number of Newton steps with multipliers, which is large because each step has a loose tolerance.
   unsigned int max_steps = 300;
-  /// Minimum number of symmetry sectors of a mesh that counts as axisymmetric.
+  /// Minimum number of symmetry sectors of a mesh that is treated as axisymmetric.
   unsigned int min_symmetry_sectors = 12;
   unsigned int max_condensed_nodes = 1000;
 };

@@ -164,7 +164,7 @@ void correct_for_friction(SolidIncrement &increment, BodyVector residual, double
 /// Columns and corner that the table motions add to the system of one Newton step.
 struct SolidBody::Border
 {
-  Eigen::MatrixX3d columns; ///< G with B G = T Q; only the part of this rank
+  Eigen::MatrixX3d columns; ///< B G = T Q, with G = B' T Q; only the part of this rank
   Eigen::Matrix3d corner;   ///< C = Q' T Q
   Eigen::Matrix3d inverse_corner;
   /// Inverse of the Schur complement C - G' W - W' G + W' (K + B' T B) W, where W approximates

@@ -279,7 +279,7 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
 
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion)
 {
-  constexpr double negligible = 1e-12; // relative to the terminal spin
+  constexpr double negligible = 1e-12; // change of the spin, relative to the terminal spin
   const std::optional<ZeroGuess> zero = all.zero_guess();
   return zero && TorqueByHarmonics(motion, all.at_terminal->load, zero->omega).bound(n_harmonics) <
                    negligible * std::abs(zero->slope * zero->omega);

@@ -28,7 +28,7 @@ std::optional<TorqueEffect::AtSpin> effect_at(const Torque &torque, unsigned int
 template <typename Change>
 double polished_maximum(const std::vector<double> &spins, std::size_t i, const Change &change)
 {
-  constexpr int n_bits = 20; // accuracy of the spin; the maximum is then accurate to rounding
+  constexpr int n_bits = 20; // of the spin; the error of the maximum is quadratic in the error of the spin
   const auto [low, high] = std::minmax(spins[i > 0 ? i - 1 : 0], spins[std::min(i + 1, spins.size() - 1)]);
   const auto found = boost::math::tools::brent_find_minima(
     [&](double omega) { return -std::abs(change(omega)); }, low, high, n_bits);
