@@ -222,7 +222,7 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   const Variant finer = changed(own, [](Variant &variant) { ++variant.study.contact.refinements; }),
                 quadratic = changed(own, raise_degree);
   // With an error of first order, the error equals the change from a mesh with twice the cell size, or twice
-  // the change to halved cells. The safety factors are 1.5 and 1.25.
+  // the change to halved cells. The safety factors are 1.5 and 1.25, respectively.
   if (coarse)
     changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->variant, "", true));
   else if (study.contact.degree == 2 && is_affordable(finer))

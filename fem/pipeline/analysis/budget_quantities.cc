@@ -133,7 +133,7 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
     return {};
   const double smallest = std::max(rows.back().band.value_or(0), rounding),
                torque_at_rest = std::abs(rows.back().torques[0].value_or(0));
-  // Small steps are omitted, so each difference is taken to the last row in `shown`.
+  // Small steps are omitted, so the difference of a row refers to the last row in `shown`.
   std::vector<BudgetRow> shown;
   for (BudgetRow row : rows)
   {

@@ -60,7 +60,8 @@ void scale(fem::MeshError &error, double factor)
     share *= std::abs(factor);
 }
 
-/// Fraction of the total error in the cells to halve. Cells with the largest errors are halved first.
+/// Fraction of the total error that the halved cells contribute. Cells with the largest errors are halved
+/// first.
 constexpr double marked_share = 0.8;
 
 GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)

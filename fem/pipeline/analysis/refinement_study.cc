@@ -20,7 +20,7 @@ struct Parameter
   RefinementAxis axis;
   unsigned int &value;
   unsigned int min, max;
-  unsigned int step = 0; ///< sizes are multiples of `step` and are doubled; 0: sizes increase by one
+  unsigned int step = 0; ///< sizes: multiples of `step`, doubled at each level; 0: sizes increase by one
 };
 
 std::vector<Parameter> parameters_of(ContactSection &contact)

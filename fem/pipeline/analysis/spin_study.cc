@@ -102,8 +102,9 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
-    // Beyond the sampled spins, the curve would need as many contact solves as the answer. It therefore ends
-    // with the spins sampled around the terminal spin, if they reach 1.1 times this spin.
+    // Beyond the spins at which the load is sampled, the curve would need as many contact solves as the
+    // search for the terminal spin. The curve ends at the last sampled spin if this exceeds 1.1 times the
+    // terminal spin.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);

@@ -50,7 +50,7 @@ std::string why_no_folder(const std::string &text)
 /// for memory indefinitely or end the program.
 void require_memory_left(const Study &study, unsigned int n_threads)
 {
-  constexpr double buffers = 2e8, // [bytes]; `buffers`: for BLAS and written fields
+  constexpr double buffers = 2e8, // for BLAS and written fields [bytes]
     stack_and_heap_of_thread = 8e7;
   const MemoryLeft left = memory_left();
   double needed = size_of(study).memory - memory_of_the_program;

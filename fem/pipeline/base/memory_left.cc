@@ -17,7 +17,8 @@ namespace
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Returns the first number in a system file [bytes]; @p otherwise if it is a word ("max") or is missing.
+/// Returns the first number in a system file [bytes]; @p otherwise if the file is missing or contains a word
+/// ("max").
 double number_in(const fs::path &file, double otherwise)
 {
   double number = 0;

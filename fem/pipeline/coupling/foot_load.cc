@@ -33,7 +33,7 @@ fem::ContactWidth band_of(const fem::ContactState &state, double cell)
   return { state.inner_radius - margin, state.outer_radius + margin };
 }
 
-/// Returns the number of rings J that makes the torque at slip ratio @p eps exact to 1e-10. The error
+/// Returns the number of rings J that makes the torque at slip ratio @p eps accurate to 1e-10. The error
 /// decreases like (w / (2 R |1 - |eps||))^J for a band of width w at the contact radius R. If the slip
 /// vanishes within the band, the error decreases only algebraically, and max_rings is returned.
 unsigned int rings_for(const fem::ContactWidth &band, double eps, unsigned int least)
@@ -164,14 +164,14 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Results from coarse sampling have no error band, so less error is allowed than by default.
+  // Results from coarse sampling are given without an error band, so the allowed error is below the default.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
-  // One border of the intervals is the spin v / R, at which the friction torque has a kink.
+  // The sampling intervals of the spin have a border at v / R, where the friction torque has a kink.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
   if (is_hard)
