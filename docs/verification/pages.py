@@ -83,9 +83,9 @@ def index(claims):
              f"Each of the {len(claims)} claims below has one or more references. [Five kinds](#kinds-of-references) of references differ in the code that they share with Stemware. "
              f"You can run the studies of {len(run)} claims; {n_checks} numbers are compared with their references:", "",
              "    python3 /usr/share/stemware/verification/verify.py --quick", "",
-             "The script prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
+             "`verify.py` prints each number, its reference, the accepted difference and `pass` or `FAIL`. "
              "`--quick` runs only the studies marked in the column *quick*. "
-             "Studies, references (`claims.json`) and script are in `share/stemware/verification`.", "",
+             "Studies, references (`claims.json`) and `verify.py` are in `share/stemware/verification`.", "",
              "| claim | kind of reference | numbers | quick |", "|---|---|---|---|"]
     for c in run:
         lines.append(f"| [{c['title']}]({c['name']}.md) | {', '.join(kinds_of(c))} | {sum(len(case['checks']) for case in c['cases'])} "
@@ -95,7 +95,7 @@ def index(claims):
               "because the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |", "|---|---|---|"]
     lines += [f"| {c['title']}{': ' + c['agreement'] if 'agreement' in c else ''} | {c['kind']} | {', '.join(f'`{test}`' for test in c['tests'])} |"
               for c in tested]
-    lines += ["", "## Kinds of references", "", "A claim with several kinds counts in each:", "", "| kind | reference | claims |", "|---|---|---|"]
+    lines += ["", "## Kinds of references", "", "A claim with several kinds of references is counted once in each of their rows:", "", "| kind | reference | claims |", "|---|---|---|"]
     lines += [f"| {kind} | {meaning} | {sum(kind in kinds_of(c) for c in claims)} |" for kind, meaning in kinds.items()]
     lines += ["", "Numbers that only protect against unintended changes are not listed.", ""]
     return "\n".join(lines)
