@@ -11,8 +11,8 @@
 //
 // goal=spin: terminal spin of a study with this foot. The moment is computed from the moment balance (moment=
 // is ignored). offset=1.6: factor on the default distance of the hand from the centre of mass. friction=0
-// switches the deformation by friction off; mu keeps its default. The first mesh is the study's mesh
-// (uniform= is ignored).
+// switches the deformation by friction off; mu keeps its default. The first mesh is given by cells= and
+// refinements= (uniform= is ignored).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
@@ -140,8 +140,8 @@ ContactGoal second_harmonic(const Case &study)
   return goal;
 }
 
-/// Returns a_2 / a_0 of a body of revolution of degree 4 with half the usual cell size, and smaller cells at
-/// re-entrant edges.
+/// Returns a_2 / a_0 of a body of revolution with elements of degree 4, half the usual cell size, and smaller
+/// cells at re-entrant edges.
 double truth(const Case &study)
 {
   RevolutionSetup setup = study.revolution;

@@ -68,7 +68,7 @@ TEST_P(Patch, PressureOnAMatIsUniformAndSettlementIsExact)
   const auto mat = make_law(WinklerInterface(1e10), body->contact_surface());
   const ContactSolution solution = solve_contact(*body, *mat, load_at(0), 0.02);
   EXPECT_LT(nonuniformity(solution), 1e-12);
-  // The table moves by the shortening p h / E of the cylinder plus the penetration p / k of the mat.
+  // The table moves by the shortening of the cylinder plus the penetration of the mat.
   const double pressure = weight / body->contact_surface().area();
   EXPECT_NEAR(solution.motion(0) / (-pressure * (0.03 / 70e9 + 1 / 1e10)), 1, 1e-10);
 }

@@ -58,7 +58,7 @@ TEST(ExplorePage, DrawsMeasuredRunsOfSeveralFileFormats)
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";
   const nlohmann::ordered_json tables = {
-    // File of phyphox with decimal commas. The column with the largest range is offered first.
+    // File of the app phyphox with decimal commas. The column with the largest range is offered first.
     { "phone.csv", "\"Time (s)\";\"x (rad/s)\";\"y (rad/s)\";\"z (rad/s)\"\n"
                    "2,00;0,1;0,0;0\n2,50;0,2;0,1;-1,5\n3,00;0,1;0,0;-2,25E0\n" },
     { "degrees.csv", "t,omega\n0,0\n1,-180\n" },

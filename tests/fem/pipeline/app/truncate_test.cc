@@ -59,8 +59,7 @@ TEST(Truncate, FirstHarmonicAndCompleteLoadAgreeWithReferences)
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);
   for (const char *key : { "relative_change", "bound" })
     EXPECT_EQ(number(rows.back(), key), 0) << key;
-  // Reference: ring of the contact radius. The tolerance allows for contact at slightly
-  // different radii.
+  // Reference: ring of the contact radius. The tolerance allows for contact at slightly different radii.
   EXPECT_NEAR(number(rows[0], "omega_terminal"), -3.67874799852576, 1e-3);
 }
 

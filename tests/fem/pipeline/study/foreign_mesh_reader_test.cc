@@ -56,7 +56,8 @@ void expect_refused(const std::string &text, const std::string &part, const std:
   EXPECT_LT(sentence.size(), 330u) << sentence;
 }
 
-/// Expects exactly the vertices, contact faces and stem faces of make_small_foot().
+/// Expects that the mesh file @p text has exactly the vertices, contact faces and stem faces of
+/// make_small_foot().
 void expect_the_small_foot(const std::string &text)
 {
   Mesh mesh, read;
@@ -121,7 +122,7 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
   const std::string text = written();
   // Two unused nodes, one of them far away.
   expect_the_small_foot(with_nodes(text, { "900001 1e9 0 0", "900002 0 0 0.5" }));
-  // A physical surface inside the body, a triangle, a line and a point.
+  // Additional elements: a physical surface inside the body, a triangle, a line and a point.
   Mesh mesh;
   make_small_foot(mesh);
   std::string inner;
@@ -133,7 +134,7 @@ TEST(GmshMesh, IgnoresUnusedSectionsSurfacesAndNodes)
         inner += " " + std::to_string(face->vertex_index(v) + 1);
     }
   expect_the_small_foot(with_elements(text, { inner, "2 2 9 9 1 2 3", "1 2 9 9 1 2", "15 2 9 9 1" }));
-  // Sections $Periodic and $NodeData.
+  // Additional sections $Periodic and $NodeData.
   expect_the_small_foot(text +
                         "$Periodic\n1\n2 1 2\n1\n1 2\n$EndPeriodic\n$NodeData\n1\n\"T\"\n1\n0.0\n3\n0\n1"
                         "\n1\n1 20\n$EndNodeData\n$NodeData\n$EndNodeData\n");
