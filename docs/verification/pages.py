@@ -95,7 +95,7 @@ def index(claims):
               "because the layers of Stemware are bonded to their base.", "", "The claims below are checked by the tests of the source, not by a study:", "", "| claim | kind of reference | test |", "|---|---|---|"]
     lines += [f"| {c['title']}{': ' + c['agreement'] if 'agreement' in c else ''} | {c['kind']} | {', '.join(f'`{test}`' for test in c['tests'])} |"
               for c in tested]
-    lines += ["", "## Kinds of references", "", "A claim with several kinds of references is counted once in each of their rows:", "", "| kind | reference | claims |", "|---|---|---|"]
+    lines += ["", "## Kinds of references", "", "A claim with references of several kinds is counted in the row of each of these kinds:", "", "| kind | reference | claims |", "|---|---|---|"]
     lines += [f"| {kind} | {meaning} | {sum(kind in kinds_of(c) for c in claims)} |" for kind, meaning in kinds.items()]
     lines += ["", "Numbers that only protect against unintended changes are not listed.", ""]
     return "\n".join(lines)
