@@ -85,7 +85,7 @@ struct Rim
   ring::Sample at(double omega) const { return glass.at(omega).load; }
 };
 
-TEST(Load, InterpolatesWithinTheStatedError)
+TEST(Load, InterpolatesWithinTheStatedErrorAndIsExactOutsideTheRange)
 {
   const Rim rim_in_balance;
   const auto exact = [&](double omega) { return rim_in_balance.at(omega); };

@@ -31,7 +31,7 @@ Load balanced_load(const Motion &motion)
               { return ring.at(omega).load; });
 }
 
-TEST(Answer, AgreesWithTheSelfConsistentRing)
+TEST(Answer, TerminalSpinTimeConstantAndTorquesAgreeWithTheSelfConsistentRing)
 {
   const Motion motion = paper_motion();
   const SelfConsistentRing ring(Closure::full, motion, radius);
@@ -75,7 +75,7 @@ TEST(Load, SolvesEachSpinOnceAndStoresUnbalancedSpins)
   EXPECT_FALSE(load.nearest_unbalanced_spin(2.2));
 }
 
-TEST(Answer, ComparesATruncatedLoadWithTheFullLoad)
+TEST(Answer, ComparesTheSpinsUnderTheTruncatedAndTheFullLoad)
 {
   const RingStack rich({ 0.47, 0.1, 0.03 }, { 0., 0.3, -0.02 }, radius);
   const Load load([=](double) -> Sample { return rich; });
@@ -86,7 +86,7 @@ TEST(Answer, ComparesATruncatedLoadWithTheFullLoad)
   EXPECT_NEAR(*related.relative_change, one.terminal->omega / all.terminal->omega - 1, stemware::ulps(5, 1));
 }
 
-TEST(Answer, GivesTheTensileShareOfAPartlyNegativeLoad)
+TEST(Answer, GivesTheMinimumAndTheTensileShareOfAPartlyNegativeLoad)
 {
   constexpr double m = 1.3;
   const Load load([](double) -> Sample { return RingStack({ 1., 0. }, { 0., m }, radius); });

@@ -77,7 +77,7 @@ TEST(CoulombRing, HigherHarmonicsDoNotChangeTheFrictionAtRest)
   }
 }
 
-TEST(CoulombRing, TruncationErrorStaysBelowTheBound)
+TEST(CoulombRing, TruncationErrorStaysBelowTheBoundAndEqualsItForASingleHarmonic)
 {
   test::Numbers numbers(10);
   for (unsigned int trial = 0; trial < 500; ++trial)
@@ -110,7 +110,7 @@ TEST(CoulombRing, OpposesPureSpinAndPureSlideWithMuN)
   expect_relative(coulomb_wrench(0.4, load, 0., 2.).force_x, -0.4 * load.normal_force(), 1e-14, "slide");
 }
 
-TEST(CoulombRing, RefusesBadInput)
+TEST(CoulombRing, RefusesInvalidCoefficientsAndVelocities)
 {
   const RingStack load({ 1. }, { 0. }, 0.03);
   EXPECT_THROW(coulomb_wrench(-0.1, load, 1., 1.), std::invalid_argument);

@@ -32,7 +32,7 @@ TEST(FrictionFunctionals, AgreeWithQuadrature)
   }
 }
 
-TEST(FrictionFunctionals, IgnoreHarmonicsAboveTheGivenMaximum)
+TEST(FrictionFunctionals, UseOnlyTheHarmonicsUpToTheGivenMaximum)
 {
   const Wrench kept = coulomb_wrench(mu, load.truncated(1), 4., speed);
   const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 1, 4., speed);
@@ -43,7 +43,7 @@ TEST(FrictionFunctionals, IgnoreHarmonicsAboveTheGivenMaximum)
   EXPECT_NEAR(more.torque(load), coulomb_wrench(mu, load, 4., speed).torque, ulps(3, 0.02));
 }
 
-TEST(FrictionFunctionals, RefuseAnotherNumberOfRingsAndZeroVelocity)
+TEST(FrictionFunctionals, RefuseLoadsWithAnotherNumberOfRingsAndZeroVelocity)
 {
   const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), { 0.02, 0.04 }, 3, 4., speed);
   EXPECT_THROW(friction.torque(load), std::invalid_argument);

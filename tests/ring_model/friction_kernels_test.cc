@@ -128,7 +128,7 @@ TEST(FrictionKernels, AgreeWithFiftyDigitQuadrature)
   RecordProperty("largest_relative_error", std::to_string(worst));
 }
 
-TEST(FrictionKernels, AgreeWithTheLimitsAtSmallSlipRatios)
+TEST(FrictionKernels, AgreeWithTheirLimitsAtSmallAndZeroSlipRatios)
 {
   // Limits for eps -> 0: K_n -> kappa_n eps^{n-1}, P_n -> -kappa_n eps^n / n, U_n -> (n-1)/n kappa_n eps^n.
   // The next terms are smaller by eps^2.

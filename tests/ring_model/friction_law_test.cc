@@ -60,7 +60,7 @@ TEST(FrictionLaw, TruncationErrorStaysBelowTheBoundUnderStribecksLaw)
     }
 }
 
-TEST(FrictionLaw, ConstantLawsUseTheKernels)
+TEST(FrictionLaw, ConstantStribeckLawGivesExactlyTheCoulombTorque)
 {
   const RingStack load = some_load();
   const Wrench exact = coulomb_wrench(0.3, load, 7., 0.35);
@@ -92,7 +92,7 @@ TEST(FrictionLaw, StribeckCoefficientAgreesWithItsFormula)
 }
 
 // Cases: narrow and wide decay, slip ratios on both sides of 1, and two rings.
-TEST(FrictionLaw, StribeckAgreesWithATrapezoidalSum)
+TEST(FrictionLaw, StribeckFrictionAgreesWithATrapezoidalSum)
 {
   const RingStack load({ { 0.028, { 0.2, 0.05, -0.03, 0.01, 0. }, { 0., -0.06, 0.02, 0.01, 0. } },
                          some_load().rings().front() });
@@ -161,7 +161,7 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
     }
 }
 
-TEST(FrictionLaw, RefusesBadInput)
+TEST(FrictionLaw, RefusesInvalidParametersAndVelocities)
 {
   EXPECT_THROW(StribeckLaw({ -0.5, 0.3, 0.1, 0., 2. }), std::invalid_argument);
   EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0., 0., 2. }), std::invalid_argument);

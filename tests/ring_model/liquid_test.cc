@@ -55,7 +55,7 @@ Motion filled(unsigned int seed)
   return motion;
 }
 
-TEST(Liquid, MomentAgreesWithASumOverColumns)
+TEST(Liquid, RequiredMomentsAgreeWithASumOverLiquidColumns)
 {
   for (unsigned int seed = 1; seed <= 20; ++seed)
   {

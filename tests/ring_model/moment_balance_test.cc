@@ -64,7 +64,7 @@ TEST(Closures, ReproduceTheTorqueCurveOfThePaper)
     expect_relative(ring.torque(curve["omega"][i]), curve["tau"][i], 1e-13, "tau");
 }
 
-TEST(Closures, ReversedOrbitIsTheMirrorImage)
+TEST(Closures, ReversedOrbitMirrorsLoadsWrenchesAndTheTerminalSpin)
 {
   for (const Closure closure : { Closure::paper, Closure::hand, Closure::full })
   {
@@ -113,7 +113,7 @@ TEST(Closures, BalanceTheMomentsAboutTheCentreOfMass)
   }
 }
 
-TEST(Closures, PredictLiftOffForTheParametersOfThePaper)
+TEST(Closures, HandMomentAgreesWithTheReferenceAndExceedsTheLiftOffLimit)
 {
   const auto &check = reference()["paper_liftoff_check"];
   const Motion motion;

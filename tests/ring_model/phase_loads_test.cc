@@ -53,7 +53,7 @@ void expect_torques(double middle, double reach, const std::vector<double> &spin
 
 } // namespace
 
-TEST(TabulatedTorque, InterpolatesInPhaseAndSpin)
+TEST(TabulatedTorque, AgreesWithQuadratureInsideItsTable)
 {
   std::vector<double> spins;
   for (int i = 0; i < 20; ++i)
@@ -61,7 +61,7 @@ TEST(TabulatedTorque, InterpolatesInPhaseAndSpin)
   expect_torques(0.4, 0.05, spins, 2e-9);
 }
 
-TEST(TabulatedTorque, UsesTheExactLoadOutsideItsTable)
+TEST(TabulatedTorque, AgreesWithQuadratureOutsideItsTable)
 {
   expect_torques(0.4, 0.01, { -0.7, 0., 0.2, 0.6 }, 1e-9);
 }

@@ -38,7 +38,7 @@ TEST(RingStack, ResultantsAgreeWithThePointwiseLoad)
   expect_relative(load.moment_ratio(0.04), std::hypot(moment_x, moment_y) / (force * 0.04 / 2.), 1e-13, "m");
 }
 
-TEST(RingStack, FirstHarmonicHasThePrescribedResultants)
+TEST(RingStack, FirstHarmonicLoadHasThePrescribedResultantsAndTheExactMinimum)
 {
   const RingStack load = RingStack::first_harmonic(2.943, { -0.01225, 0.004 }, 0.03);
   expect_relative(load.normal_force(), 2.943, 1e-15, "N");
@@ -166,7 +166,7 @@ TEST(RingStack, DifferenceCoversEveryCoefficientAndTheRadius)
   EXPECT_NEAR(RingStack({ 0.5, 0.1 }, { 0, 0.2 }, 0.03).difference(load), 0.06, ulps(5, 1));
 }
 
-TEST(RingStack, RefusesBadInput)
+TEST(RingStack, RefusesInvalidCoefficientsRadiiAndResultants)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   using Row = std::vector<double>;

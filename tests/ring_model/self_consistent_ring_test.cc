@@ -8,7 +8,7 @@ namespace stemware::ring
 namespace
 {
 
-TEST(UnilateralRim, AgreesWithTheReferenceClosures)
+TEST(UnilateralRim, AgreesWithTheReferenceUnderTheFullClosure)
 {
   for (const auto &row : reference()["closures_C_unilateral"]["cases"])
   {
@@ -80,7 +80,7 @@ TEST(SelfConsistentRing, BalancesMomentsUnderStribecksLaw)
   }
 }
 
-TEST(UnilateralRim, UprightSlidingIsStableUnderACompressiveLoad)
+TEST(UnilateralRim, UprightSlidingIsTheOnlyTerminalStateAndStableUnderACompressiveLoad)
 {
   // Closed form for a hand at the height h of the centre of mass: -d tau / d(omega R / v) = mu N R (<cos^2> -
   // (mu h / R) <cos>) = mu N R Var(cos), with means <.> over the rim weighted by the load.

@@ -88,7 +88,7 @@ TEST(SlidingBody, UniformPressureGivesTheFrictionOfTheAnnulus)
   }
 }
 
-TEST(SlidingBody, RefusesBadInput)
+TEST(SlidingBody, RefusesInvalidRadiiPressuresAndVelocities)
 {
   EXPECT_THROW(SlidingBody::ring(0.), std::invalid_argument);
   EXPECT_THROW(SlidingBody::annulus(0.5, 0.5), std::invalid_argument);

@@ -33,7 +33,7 @@ double last_spin(const TorqueFunction &torque, const SpinSearch &search)
   return std::nan("");
 }
 
-TEST(SpinSearch, ReturnsZeroSpinIfTheTorqueAtRestIsWithinTheNoise)
+TEST(SpinSearch, ReturnsZeroSpinOnlyIfTheTorqueAtRestIsWithinTheNoise)
 {
   const auto torque = [](double omega) { return (omega + 1e-12) * (0.2 - omega); };
   SpinSearch search = { 1. };
@@ -57,7 +57,7 @@ TEST(SpinSearch, RecoversFromABadInitialGuessInFewEvaluations)
   }
 }
 
-TEST(SpinSearch, FindsTheFirstTorqueZeroUnderRandomLoads)
+TEST(SpinSearch, FindsTheFirstTorqueZeroUnderRandomLoadsInFewEvaluations)
 {
   // Reference: all zeros, by a scan of 300 intervals.
   test::Numbers numbers(7);
@@ -77,7 +77,7 @@ TEST(SpinSearch, FindsTheFirstTorqueZeroUnderRandomLoads)
   EXPECT_LE(n_evaluations, 5 * 200u);
 }
 
-TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
+TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorqueInFewEvaluations)
 {
   // Closed form for a load of the harmonics 0 and 1: a_0 K_0(eps) + b_1(eps) K_1(eps) = grip sgn(omega) /
   // (mu R), with the friction kernels K_n and eps = omega R / v. For Closure::paper, b_1 is constant. The
@@ -107,7 +107,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorque)
     }
 }
 
-TEST(SpinSearch, ReturnsZeroSpinUnderAStrongGripOrAtZeroTorque)
+TEST(SpinSearch, ZeroSpinIsHeldUnderAStrongGripButNotAtZeroTorque)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
@@ -131,7 +131,7 @@ TEST(SpinSearch, ReturnsTheFirstOfSeveralTorqueZeros)
   expect_relative(find_terminal_spin(torque, { 4. }).omega, 1., 1e-11, "nothing expected");
 }
 
-TEST(SpinSearch, StepsBackFromSpinsWithoutBalanceAndReportsTheLastWithBalance)
+TEST(SpinSearch, StepsBackFromSpinsWithoutBalanceAndReportsTheLastBalancedSpin)
 {
   const auto torque_up_to = [](double limit, double zero)
   {

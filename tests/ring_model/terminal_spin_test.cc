@@ -45,7 +45,7 @@ TEST(TerminalSpin, AgreesWithTheReferenceUnderARadialLoad)
   }
 }
 
-TEST(TerminalSpin, BrakingAboveSlipRatioOneReachesItsLowerBoundUnderPointLoads)
+TEST(TerminalSpin, BrakingTorqueAboveSlipRatioOneStaysAboveASharpLowerBound)
 {
   // Fejer kernels are compressive loads close to a point force at any azimuth. Lower bound of the braking
   // torque: mu N R sqrt(1 - 1 / eps^2).
@@ -102,7 +102,7 @@ TEST(TerminalSpin, FindsAPairOfRootsBetweenTwoSamples)
   EXPECT_FALSE(spins[1].stable);
 }
 
-TEST(TerminalSpin, ReportsARootOnASampleOnce)
+TEST(TerminalSpin, ReportsARootAtASamplePointOnce)
 {
   const auto torque = [](double omega) { return -omega * (omega - 10.) * (omega + 10.); };
   const auto spins = all_terminal_spins(torque, 1., 10., -10., 10., 100);
@@ -111,7 +111,7 @@ TEST(TerminalSpin, ReportsARootOnASampleOnce)
   EXPECT_FALSE(spins[1].stable);
 }
 
-TEST(TerminalSpin, UprightSlidingIsUnstableUnderAPartlyTensileLoad)
+TEST(TerminalSpin, UprightSlidingIsUnstableBetweenTwoStableSpinsUnderAPartlyTensileLoad)
 {
   // With the hand at the height h of the centre of mass, the damping in units of mu N R is 1/2 - (mu h/R)^2
   // under the first harmonic, negative for mu h/R > 1/sqrt 2. Under a compressive load, the damping is a

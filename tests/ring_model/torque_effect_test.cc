@@ -34,7 +34,7 @@ double torque_by_quadrature(double omega, unsigned int n)
 /// Rounding error of torques of mu N R = 0.03 N m. The quadrature error, (omega R / v)^4000, is negligible.
 const double tolerance = ulps(16, 0.03);
 
-TEST(TorqueEffect, AgreesWithQuadratureOfTheTruncatedLoad)
+TEST(TorqueEffect, AgreesWithQuadratureOfTruncatedLoadsAndStaysBelowItsBound)
 {
   const Motion motion;
   const Answer all = answer(the_load, { motion });

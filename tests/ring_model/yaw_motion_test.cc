@@ -66,7 +66,7 @@ std::array<double, 2> spin_by_angle(const MarkedRing &ring, unsigned int n_turns
 }
 } // namespace
 
-TEST(YawMotion, AgreesWithAPendulum)
+TEST(YawMotion, AgreesWithTheClosedFormOfAPendulum)
 {
   // Pendulum I psi'' = -A sin psi from psi = 0 at omega_0: omega = omega_0 dn(omega_0 t / 2, k), psi = 2
   // asin(sn(omega_0 t / 2, k)) with the modulus k = 2 sqrt(A / I) / omega_0.
@@ -250,7 +250,7 @@ TEST(YawMotion, AHeldGlassStopsAndStaysAtRest)
   }
 }
 
-TEST(YawMotion, IsAccurateAcrossCornersOfTheTorqueAtGivenBreaks)
+TEST(YawMotion, IsAccurateIfTheCornersOfTheTorqueAreGivenAsBreaks)
 {
   // The time derivative of the torque jumps thirty times.
   const double rate = 4.;
@@ -307,7 +307,7 @@ TEST(LongTimeSpin, AgreesWithIntegrationOverTheAngleOfTheMark)
   EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
 }
 
-TEST(LongTimeSpin, TakesLongStepsAtNegligibleInertia)
+TEST(LongTimeSpin, IsAccurateAtNegligibleInertiaWithoutResolvingTheTimeConstant)
 {
   // Without inertia, phi = yaw angle - orbit t satisfies phi' = drive - orbit + bump / damping cos phi, and
   // the mean of phi' has a closed form. The time constant of the ring is 8e-6 s, the averaging window 25 s.
@@ -412,7 +412,7 @@ TEST(YawMotion, AnObserverIsCalledAtEveryTorqueEvaluationAndCanStopTheMotion)
   EXPECT_THROW(yaw_motion(observed(slow, stop), slow.inertia, 0., { 1. }, 1e-8, 10.), std::domain_error);
 }
 
-TEST(YawMotion, RefusesBadInput)
+TEST(YawMotion, RefusesInvalidArguments)
 {
   const MarkedRing ring;
   EXPECT_THROW(yaw_motion(ring, -1., 0., { 1. }, 1e-9, 10.), std::invalid_argument);

@@ -51,7 +51,7 @@ double distance_from_calculix(const ContactLoad &load)
 
 } // namespace
 
-TEST(Convergence, HarmonicsConvergeToCalculiXAtTheOrderOfTheCorners)
+TEST(Convergence, HarmonicsConvergeToCalculiXAndCornersLimitTheOrder)
 {
   // At the re-entrant corners of the step profile, stresses vary like r^(lambda - 1). On fine meshes of any
   // degree, the harmonics therefore converge like h^(2 lambda).

@@ -126,7 +126,7 @@ struct Cylinder
 /// Closed form: u = grad(r^n cos(n theta)) has zero divergence and zero curl, so every isotropic material is
 /// in equilibrium without body forces. Elements of degree n - 1 represent u exactly, elements of degree n - 2
 /// do not.
-TEST(FourierPatch, GradientsOfHarmonicPolynomialsNeedNoBodyForces)
+TEST(FourierPatch, GradientsOfHarmonicPolynomialsAreInEquilibriumOnlyAtSufficientDegree)
 {
   for (const unsigned int n : { 2u, 3u, 4u, 5u })
   {

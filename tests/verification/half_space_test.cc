@@ -62,7 +62,7 @@ TEST(HalfSpace, NormalComplianceAgreesWithBoussinesq)
 
 // The compliances end at harmonic 16, and higher harmonics use the compliance of n = 24. The disc therefore
 // responds to harmonic 20 like a half-space to harmonic 24.
-TEST(HalfSpace, HarmonicsAboveTheHighestUseTheComplianceOfHarmonic24)
+TEST(HalfSpace, HarmonicsAboveTheComputedOnesUseTheComplianceOfHarmonic24)
 {
   constexpr unsigned int n_lines = 64;
   const ContactCompliance disc = compliance_of_disc({ 0.3, 0.3 }, wood, strip(0.004), 1, 16);
@@ -121,7 +121,7 @@ TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
 
 // Reference: tests/verification/annular_punch.py, a layer that is 100 outer radii thick. The remaining error
 // comes from the singular pressure at the edges.
-TEST(HalfSpace, WideAnnularPunchesConvergeOnManyCells)
+TEST(HalfSpace, DepthAndTiltOfWideAnnularPunchesConvergeToTheReference)
 {
   const struct
   {

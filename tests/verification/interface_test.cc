@@ -24,7 +24,7 @@ ContactLoad press_on(const RevolutionSetup &setup, const Resultants &load, doubl
 // Under two of the four loads, part of the land lifts off. The pressure is singular at the inner edge of the
 // land, where CalculiX has cells of 60 um. References above the sixth harmonic: the range of three other
 // finite-element programs with nodal contact.
-TEST(RigidTable, FlatLandWithLiftOffAgreesWithCalculiX)
+TEST(RigidTable, FlatLandWithAndWithoutLiftOffAgreesWithCalculiX)
 {
   unsigned int n_compared = 0;
   for (const CalculixLoad &expected : CalculixFoot("flat").loads)
@@ -86,7 +86,7 @@ TEST(CompliantTable, RigidFootAgreesWithPlainQuadrature)
 // Dundurs: tangential tractions do not change the gap between two half-spaces of the same material. The
 // displacements of harmonic 2 decay before they reach the stem or the bottom of the disc. The remaining
 // coupling is a mesh error of the foot and decreases with refinement.
-TEST(Friction, DoesNotCoupleEqualHalfSpaces)
+TEST(Friction, CouplingBetweenEqualHalfSpacesIsSmallAndDecreasesWithRefinement)
 {
   const ElasticMaterial wood{ 10e9, 0.3 };
   GlassProfile profile = flat_profile();

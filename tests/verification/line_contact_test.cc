@@ -183,7 +183,7 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
 
 /// NAFEMS R0094, contact benchmark 1: under 35 kN/mm, a steel cylinder of radius 50 mm on aluminium has a
 /// half-width of 6.21 mm and a peak pressure of 3585.37 MPa.
-TEST(LineContact, HalfWidthAgreesWithHertz)
+TEST(LineContact, HertzHalfWidthAndPeakPressureAgreeWithNafems)
 {
   RevolutionSetup setup;
   setup.profile.crown_radius = 0.05;

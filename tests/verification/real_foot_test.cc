@@ -33,7 +33,7 @@ TEST(RealFoot, HarmonicsConvergeFasterThanOnTheStep)
   EXPECT_LT(observed_order(GlassProfile()), 2.2);
 }
 
-TEST(RealFoot, SolidBodyAgreesWithTheBodyOfRevolution)
+TEST(RealFoot, SolidBodyConvergesToTheBodyOfRevolution)
 {
   GlassProfile profile = flat_profile();
   profile.shape = GlassShape::foot;

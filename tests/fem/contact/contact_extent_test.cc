@@ -176,7 +176,7 @@ struct PlatePressure
 
 } // namespace
 
-TEST(ContactExtent, AgreesWithTheClosedFormOfWideLands)
+TEST(ContactExtent, AgreesWithTheClosedFormForAnnularLandsAndADisc)
 {
   struct Row
   {

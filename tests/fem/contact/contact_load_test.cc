@@ -90,7 +90,7 @@ TEST(ContactLoad, ManyRingsDoNotAmplifyRoundingOutsideTheContact)
   EXPECT_LT(largest, 1);
 }
 
-TEST(ContactLoad, RingsPreserveRadialMomentsAtEveryHarmonic)
+TEST(ContactLoad, NRingsPreserveExactlyNRadialMomentsOfEveryHarmonic)
 {
   // For k < n_rings, the ring loads lambda_j preserve the moments of the point forces f in every harmonic:
   // sum_j r_j^k lambda_j = sum f r^k.

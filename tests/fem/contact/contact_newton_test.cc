@@ -42,7 +42,7 @@ public:
 
 } // namespace
 
-TEST(ContactDriver, ReportsTipping)
+TEST(ContactDriver, ReportsTippingOnlyUnderTooLargeAMoment)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   EXPECT_EQ(outcome_on_mat(foot, load_at(2.2), {}), ContactOutcome::tipping);
@@ -66,7 +66,7 @@ TEST(ContactDriver, ReportsARepeatedActiveSet)
             ContactOutcome::repeated_set);
 }
 
-TEST(ContactDriver, ReportsAContactNarrowerThanItsCells)
+TEST(ContactDriver, ReportsNarrowContactsAndTheNumberOfNodesAcross)
 {
   FootCase crowned(GlassProfile(), coarse);
   crowned.solve_on_winkler(1e11,
@@ -99,7 +99,7 @@ TEST(ContactDriver, RefusesInvalidLoadsAndLaws)
   EXPECT_THROW(HardInterface().make(foot.body->contact_surface(), -1), std::invalid_argument);
 }
 
-TEST(ContactDriver, ConvergedSolutionsHaveTheGivenResultants)
+TEST(ContactDriver, ConvergedSolutionsHaveTheGivenResultantsAndNoTension)
 {
   FootCase foot(GlassProfile(), coarse, linear_elements());
   for (const double modulus : { 1e8, 1e10, 1e12 })

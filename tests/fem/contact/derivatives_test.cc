@@ -102,7 +102,7 @@ TEST(Derivatives, TangentIsTheDerivativeOfTheForces)
   }
 }
 
-TEST(Derivatives, BorderIsTheDerivativeOfTheConditions)
+TEST(Derivatives, BorderIsTheDerivativeOfTheConditionsAndGivesTheRigidNewtonStep)
 {
   const LeaningRim rim;
   const LinearConditions conditions = conditions_of(rim.surface, friction_and_tilt());

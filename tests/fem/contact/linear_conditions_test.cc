@@ -114,7 +114,7 @@ TEST(LinearConditions, AgreeWithTheFixedPointIterationUnderABodyOfRevolution)
   expect_fixed_point(foot.body, *law);
 }
 
-TEST(LinearConditions, RefusesInvalidConditionsAndReportsTippingForImpossibleOnes)
+TEST(LinearConditions, AreRefusedIfInvalidAndEndInTippingIfImpossible)
 {
   const FootCase foot(GlassProfile(), { 12, 2, 1 });
   RigidFoot rigid(foot.body->contact_surface());

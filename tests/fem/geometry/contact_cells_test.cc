@@ -149,7 +149,7 @@ TEST(ContactCells, AreWellShapedAndSharedByFootAndDisc)
   }
 }
 
-TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
+TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowGraduallyOutside)
 {
   const GlassProfile profile;
   for (const double half_width : { 0.9e-6, 2.5e-6, 1e-5, 1.7e-4 })
@@ -182,7 +182,7 @@ TEST(ContactCells, HaveTheRequestedSizeInTheFocusAndGrowOutwards)
   }
 }
 
-TEST(ContactCells, RefuseAFocusOutsideTheLandTooManyCellsAndNoGrowth)
+TEST(ContactCells, RefuseTooManyCellsNoGrowthAndAFocusOutsideTheLand)
 {
   MeridianResolution outside;
   outside.focus_size = 1e-4;

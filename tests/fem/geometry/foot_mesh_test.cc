@@ -60,7 +60,7 @@ TEST(FootMesh, VerticesLieOnTheProfileOfAFootAndTheVolumeConverges)
   }
 }
 
-TEST(FootMesh, LandIsRoundWithQuadraticElements)
+TEST(FootMesh, LandIsAPolygonWithLinearAndRoundWithQuadraticElements)
 {
   // Chords between 24 points cut off 1 - sin(15 deg) / (15 deg in radians) = 1.138 % of the land's area.
   for (const GlassShape shape : { GlassShape::step, GlassShape::foot })

@@ -33,7 +33,7 @@ std::string refusal(const GlassProfile &profile)
 
 } // namespace
 
-TEST(GlassProfile, UndersideIsTangentialToTheLand)
+TEST(GlassProfile, UndersideIsParabolicAndTangentialToTheLand)
 {
   const GlassProfile profile = foot_profile();
   EXPECT_EQ(profile.underside(0), 0.003);

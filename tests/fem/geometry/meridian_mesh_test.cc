@@ -38,7 +38,7 @@ Measures measure(const dealii::Triangulation<2> &triangulation)
 
 } // namespace
 
-TEST(MeridianMesh, FillsTheStepProfile)
+TEST(MeridianMesh, HasTheAreaAndTheLandWidthOfTheStepProfile)
 {
   const GlassProfile profile;
   for (const double size : { 0., 1e-4 })

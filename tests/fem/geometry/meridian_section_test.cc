@@ -83,7 +83,7 @@ std::string refusal_with(std::size_t index, double radius, double height)
 
 } // namespace
 
-TEST(MeridianSection, FindsUndersideTopAndStemOfAPolyline)
+TEST(MeridianSection, FindsUndersideTopAndStemOfAPolylineInEitherPointOrder)
 {
   std::vector<std::pair<double, double>> lifted = plain_foot; // heights are measured from the lowest point
   for (auto &point : lifted)
@@ -162,7 +162,7 @@ TEST(MeridianSection, RefusesInvalidPolylinesAndNamesTheLineOfTheFile)
   expect_line(refusal_with(1, -20, 2), "line 3");  // a radius is negative
 }
 
-TEST(DrawnProfile, MeshFillsThePolygon)
+TEST(DrawnProfile, MeshHasTheAreaAndVolumeOfThePolygon)
 {
   const Polyline polyline = in_millimetres(plain_foot);
   const GlassProfile profile = drawn(polyline);
@@ -205,7 +205,7 @@ TEST(SectionCells, OfASolidMeshHaveTheAreaOfTheProfile)
   EXPECT_NEAR(area, 0.004 * 0.001 + 0.034 * 0.004 + 0.005 * 0.010, 3e-3 * area);
 }
 
-TEST(DrawnProfile, LandIsFlattenedWithASmoothTransitionAndMustContainTheLowestPoint)
+TEST(DrawnProfile, LandIsFlattenedWithAGradualTransitionAndMustContainTheLowestPoint)
 {
   // The rim has a radius of 3 mm at r = 30 mm. At the borders of a land of 1 mm, the underside is more than
   // 0.04 mm above the lowest point.

@@ -68,7 +68,7 @@ TEST(MeshFile, RefusesAnOvalRimOnlyForSecondOrderElements)
 
 /// The area deficit is computed from the angles between the chords of a round rim. A plate has corners
 /// between straight edges, but no deficit.
-TEST(MeshFile, APlateHasNoLandAreaDeficit)
+TEST(MeshFile, APlateHasNoRoundRimAndNoLandAreaDeficit)
 {
   dealii::Triangulation<3> plate;
   dealii::GridGenerator::subdivided_hyper_rectangle(plate, { 8, 4, 1 }, dealii::Point<3>(-0.04, -0.02, 0),

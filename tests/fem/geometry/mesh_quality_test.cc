@@ -41,7 +41,7 @@ double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
 
 } // namespace
 
-TEST(MeshCheck, ContactFacesCoverTheLand)
+TEST(MeshCheck, ContactFacesHaveTheAreaOfTheLand)
 {
   const GlassProfile profile;
   FootResolution resolution;
@@ -59,7 +59,7 @@ TEST(MeshCheck, ContactFacesCoverTheLand)
   EXPECT_NEAR(area / sectors_area(profile, 24), 1, 1e-12);
 }
 
-TEST(MeshCheck, ReportsTheScaledJacobianOfSkewAndInvertedCells)
+TEST(MeshCheck, ReportsScaledJacobiansAndCountsInvertedCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });
   EXPECT_NEAR(brick.min_jacobian, 1, stemware::ulps(5, 1));
@@ -74,7 +74,7 @@ TEST(MeshCheck, ReportsTheScaledJacobianOfSkewAndInvertedCells)
   EXPECT_LT(folded.min_jacobian, 0);
 }
 
-TEST(MeshCheck, ReportsTheMeasuresOfAGeneratedFoot)
+TEST(MeshCheck, ReportsContactAreaDimensionsAndQualityOfAGeneratedFoot)
 {
   Triangulation<3> foot;
   const GlassProfile profile;

@@ -59,7 +59,7 @@ Polyline arc_of_six_points()
   return polyline;
 }
 
-TEST(RimCircle, FitsACircleThroughItsPoints)
+TEST(RimCircle, FitsTheCircleThroughThePointsInEitherOrder)
 {
   Polyline polyline = arc_of_six_points();
   for (unsigned int direction = 0; direction < 2; ++direction)

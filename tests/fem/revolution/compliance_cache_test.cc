@@ -30,7 +30,7 @@ std::shared_ptr<const ContactCompliance> foot_of(ComplianceCache &cache, const G
   return cache.get(mesh, material, options);
 }
 
-TEST(ComplianceCache, ComputesEachComplianceOnce)
+TEST(ComplianceCache, ReturnsTheUncachedComplianceAndComputesItOnce)
 {
   ComplianceCache cache;
   const auto first = foot_of(cache, {}, {}, quick_options());
@@ -85,7 +85,7 @@ TEST(ComplianceCache, ConcurrentRequestsShareOneComputation)
     EXPECT_EQ(compliance, found.front());
 }
 
-TEST(ComplianceCache, EvictsBeyondItsCapacity)
+TEST(ComplianceCache, EvictsEntriesBeyondItsCapacity)
 {
   ComplianceCache cache(2);
   const auto with_modulus = [&](double modulus) {

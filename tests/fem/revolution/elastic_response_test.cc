@@ -181,7 +181,7 @@ TEST_P(SmallFoot, ConvergesToTheDenseSolution)
   }
 }
 
-TEST(BodyOfRevolution, RefusesInvalidLinesDegreesSumsAndFriction)
+TEST(BodyOfRevolution, RefusesTooFewLinesTooHighDegreesMismatchedSumsAndNegativeFriction)
 {
   const ContactCompliance compliance = foot_compliance(GlassProfile(), graded_cells());
   EXPECT_THROW(RevolutionCase(GlassProfile(), compliance, 32), std::invalid_argument);

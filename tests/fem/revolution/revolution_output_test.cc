@@ -85,7 +85,7 @@ Eigen::Vector3d moved(const VtuFile &file, std::size_t point)
   return vector_at(file.array("displacement"), point) + vector_at(file.array("rigid_motion"), point);
 }
 
-TEST(RevolutionFields, DisplacementsAgreeWithTheConvergedContactSolution)
+TEST(RevolutionFields, DisplacementsAndRigidMotionAgreeWithTheContactSolution)
 {
   for (const double friction : { 0., 0.3 })
   {

@@ -57,7 +57,7 @@ TEST(LinearSolver, AggregationMultigridAgreesWithTheFactorisation)
 
 /// Iterations reduce the residual to 1e-11. A smoother without coarse grid would need twice as many
 /// iterations for half the cell size.
-TEST(LinearSolver, IterationsHardlyGrowWithRefinement)
+TEST(LinearSolver, IterationsHardlyGrowWithRefinementAndDegree)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);
   OvalFoot fine({ 48, 4, 4, 1 }, TestSolver::multigrid, 1);

@@ -97,7 +97,7 @@ double of_body_of_revolution(const GlassProfile &profile, double friction)
 
 } // namespace
 
-TEST(MeshEstimate, IsCloseToTheErrorThatGoalOrientedRefinementReducesTenfoldLong)
+TEST(MeshEstimate, IsCloseToTheErrorAndRefinementReducesTheErrorTenfoldLong)
 {
   const GlassProfile profile = profile_of(GlassShape::foot);
   const double truth = of_body_of_revolution(profile, 0);

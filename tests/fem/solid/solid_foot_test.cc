@@ -133,7 +133,7 @@ TEST(SolidFoot, AWrittenMeshGivesTheLoadOfTheGeneratedMesh)
   }
 }
 
-TEST(SolidFoot, ReportsDescriptionAndCapabilitiesAndRefusesASubstrate)
+TEST(SolidFoot, ReportsItsDescriptionAndCapabilitiesAndRefusesASubstrate)
 {
   const SolidMesh mesh = coarse_mesh();
   SolidFoot foot(mesh, coarse_setup(std::make_shared<WinklerInterface>()));
