@@ -83,7 +83,7 @@ Study study_on(const Surface &surface)
   return study;
 }
 
-TEST_P(BalanceOnTables, TorqueAtRestIsMuTimesTheMoment)
+TEST_P(BalanceOnTables, FrictionTorqueAtRestIsMuTimesTheMomentAboutX)
 {
   // Friction torque at rest: friction coefficient times moment_x. The moment is in balance with the force F
   // of the hand, the friction force T and the weight of the tilted glass. Unit vector k: vertical.

@@ -95,7 +95,7 @@ TEST(Budget, RelativeHarmonicEffectIsUndefinedForAGlassAtRestOrReversed)
   EXPECT_FALSE(harmonic_effect(-3, std::nullopt, unit).relative);
 }
 
-TEST(Budget, SpinScaleAgreesWithItsFormula)
+TEST(Budget, SpinScaleAgreesWithItsFormulaAndIsTheSpinUnitWithoutAMoment)
 {
   // The scale is v / R times the moment ratio of the centripetal force, 2 |moment| / (weight R).
   Study study = test::mat_study();
@@ -119,7 +119,7 @@ TEST(Budget, SpinScaleAgreesWithItsFormula)
   EXPECT_EQ(study_of_given_load().spin_scale(), study_of_given_load().spin_unit());
 }
 
-TEST(Budget, AFilledGlassSpinsLikeAGlassWithAPointMassAtTheMetacentre)
+TEST(Budget, LiquidActsAsAPointMassAtItsMetacentreOrWithoutLeanAtItsCentre)
 {
   Study filled = test::quick_contact_study();
   ring::Motion &motion = filled.motion.orbit;
@@ -148,7 +148,7 @@ TEST(Budget, AFilledGlassSpinsLikeAGlassWithAPointMassAtTheMetacentre)
   FAIL() << "no row without the lean of the liquid";
 }
 
-TEST(Budget, ListsTheRowsOfALoadFile)
+TEST(Budget, ListsRowsForAGivenLoadWithAndWithoutAGripTorque)
 {
   Study study = study_of_given_load();
   const Budget budget = budget_of(study, rich_load());
@@ -160,7 +160,7 @@ TEST(Budget, ListsTheRowsOfALoadFile)
   EXPECT_EQ(rows_of(budget_of(study, rich_load())).at(1), "2a grip 1");
 }
 
-TEST(Budget, ListsTheRowsAndSpinsOfAFirstHarmonicLoad)
+TEST(Budget, ListsRowsAndSpinsForAFirstHarmonicLoadAGivenMomentAndAGripTorque)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -184,7 +184,7 @@ TEST(Budget, ListsTheRowsAndSpinsOfAFirstHarmonicLoad)
   EXPECT_NEAR(ring.torque(*budget.rows[2].omega_terminal), -2e-4, 1e-12); // friction balances the grip
 }
 
-TEST(Budget, ListsTheRowsOfAFootInContact)
+TEST(Budget, ListsRowsForFourModelsOfAFootInContact)
 {
   Study study = quick_contact_study();
   EXPECT_EQ(rows_of(budget_of(study)), contact_rows(study, { "1 paper 1", "2 moment balance 1",
@@ -203,7 +203,7 @@ TEST(Budget, ListsTheRowsOfAFootInContact)
             contact_rows(study, { "1 paper 1", "2 given moment 1", "3 where the foot touches 1" }));
 }
 
-TEST(Truncation, AgreesWithTheClosedFormOfTheFirstHarmonicOnAThinStiffRing)
+TEST(Truncation, FirstHarmonicOfAThinStiffRingGivesTheSpinOfTheClosedForm)
 {
   Study study = quick_contact_study();
   study.glass.profile.land_width = 2e-4;
@@ -313,7 +313,7 @@ TEST(Budget, ReportsAGlassHeldByTheGrip)
   EXPECT_EQ(budget.rows.front().reason, "");
 }
 
-TEST(Budget, AFailedRowDoesNotStopTheOthers)
+TEST(Budget, AFailedRowKeepsItsReasonAndInvalidatesOnlyTheDifferencesToIt)
 {
   const Study study = study_of_given_load();
   fem::ComplianceCache cache;

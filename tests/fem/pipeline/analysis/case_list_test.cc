@@ -36,7 +36,7 @@ TEST(CaseList, ValuesOfARangeAreShortDecimalsBetweenTheExactEnds)
   EXPECT_EQ(std::stod(ends.back()), 0.98765432109876543);
 }
 
-TEST(CaseList, AGridContainsEveryCombinationOfItsValues)
+TEST(CaseList, AGridContainsEveryCombinationOfItsValuesAndKeepsTheBaseStudy)
 {
   CaseList list = cases_of_grid({ "Motion/Closure=paper, full", "Motion/Mass=200,300 g" });
   EXPECT_TRUE(list.is_grid());

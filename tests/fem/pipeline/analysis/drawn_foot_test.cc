@@ -46,7 +46,7 @@ std::string forty_points()
   return points;
 }
 
-TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFrom)
+TEST(DrawnFoot, SpinsLikeTheFootItWasDrawnFromAndUnlikeAThinnerFoot)
 {
   const test::ScratchFolder scratch;
   const std::string points = forty_points();

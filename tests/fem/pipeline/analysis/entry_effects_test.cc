@@ -231,7 +231,7 @@ void EntryEffects::SetUpTestSuite()
   scratch.write("thin.csv", plate + "0.034,0.004\n0.006,0.004\n0.006,0.02\n0,0.02\n");
 }
 
-TEST_P(EntryEffects, AChangedEntryHasTheListedEffect)
+TEST_P(EntryEffects, AChangedEntryChangesAndKeepsTheListedResults)
 {
   const Json before = results_of_base();
   const Json after = results_with_the_value();

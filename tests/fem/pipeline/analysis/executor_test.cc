@@ -96,7 +96,7 @@ TEST(Executor, RethrowsAnExceptionAndStartsNoMoreCalls)
   EXPECT_LE(n_calls, 2u);
 }
 
-TEST(Executor, NestedLoopsDoNotInterleave)
+TEST(Executor, AThreadStartsNoOtherOuterCallWhileItWaitsForItsInnerLoop)
 {
   // A thread that waits for its inner loop must not start another outer call. Without task isolation, some
   // threads would do so.

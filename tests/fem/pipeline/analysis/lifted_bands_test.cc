@@ -200,12 +200,12 @@ TEST(LiftedBands, ContainTheErrorAtTwoRandomCentreOfMassHeights)
   expect_bands_hold(random_height, 43, 2);
 }
 
-TEST(LiftedBands, ContainTheErrorUpToTheTippingHeightLong)
+TEST(LiftedBands, ContainTheErrorUpToTheTippingHeightAndNoSpinExistsAboveItLong)
 {
   expect_bands_hold_up_to_tipping(20);
 }
 
-TEST(LiftedBands, ContainTheErrorJustBelowTheTippingHeight)
+TEST(LiftedBands, ContainTheErrorBelowTheTippingHeightAndNoSpinExistsAboveIt)
 {
   expect_bands_hold_up_to_tipping(1);
 }
@@ -231,7 +231,7 @@ TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesInTheContactLong)
   expect_bands_with_vanishing_slip_hold(1.90, 9);
 }
 
-TEST(LiftedBands, ContainTheErrorIfTheSlipVanishesAtOneMomentRatio)
+TEST(LiftedBands, ContainTheErrorAtOneMomentRatioWithVanishingSlip)
 {
   expect_bands_with_vanishing_slip_hold(1.95, 1);
 }

@@ -20,7 +20,7 @@ namespace
 using namespace stemware::test;
 using Json = nlohmann::ordered_json;
 
-TEST(OneNumber, ErrorBandsReferToTheReportedNumbers)
+TEST(OneNumber, ErrorBandsAndTablesContainTheReportedNumbers)
 {
   const Json summary = SolvedRun(quick_contact_study()).summary();
   const Json &load = summary["load"], &ring = summary["ring"], &budget = summary["budget"];

@@ -87,7 +87,7 @@ TEST(RefinementSequence, GivesAWideBandAndNoOrderForImplausibleDifferences)
   }
 }
 
-TEST(RefinementSequence, GivesNoOrderForDifferencesBelowRounding)
+TEST(RefinementSequence, GivesAWideBandAndNoOrderForDifferencesBelowRounding)
 {
   const double rounding = 1e-9;
   const RefinementSequence judged =

@@ -86,7 +86,7 @@ struct Levels
   std::vector<QuantityOfInterest> finer;
 };
 
-TEST(ErrorBands, ContainTheResultsOfAFinerPaperStudyAndTheOrderIsPlausible)
+TEST(ErrorBands, ContainTheResultsOfAFinerDiscretisationAndTheConvergenceOrderIsPlausible)
 {
   const Study study = read_study(STEMWARE_COOKBOOKS "/paper.prm", {});
   Levels comparison(study, four_times_finer(study));
@@ -138,12 +138,12 @@ void expect_band_of_spin_holds(const Study &study)
 
 // tests/benchmark/error_band_coverage.cc checks many more random studies (docs/method/error_bands.md).
 
-TEST(ErrorBands, ContainTheErrorOfARandomStudyLong)
+TEST(ErrorBands, ContainTheSpinErrorOfARandomStudyLong)
 {
   expect_band_of_spin_holds(RandomStudies(2024).next());
 }
 
-TEST(ErrorBands, ContainTheErrorOfARandomStudyOnFewLines)
+TEST(ErrorBands, ContainTheSpinErrorOfARandomStudyWithFewAzimuthLines)
 {
   Study study = RandomStudies(2024).next();
   study.contact.harmonics = 8;
@@ -177,12 +177,12 @@ TEST(ErrorBands, IncludeTheErrorOfCornersFarFromTheContactLong)
   expect_band_holds_corners(test::mat_study().contact.harmonics, test::mat_study().contact.azimuth_lines);
 }
 
-TEST(ErrorBands, IncludeTheErrorOfCornersOnFewLines)
+TEST(ErrorBands, IncludeTheErrorOfCornersFarFromTheContactWithFewAzimuthLines)
 {
   expect_band_holds_corners(6, 64);
 }
 
-TEST(ErrorBands, ContainTheErrorOfASingleRing)
+TEST(ErrorBands, ContainTheErrorOfASingleRingAndAreAtMostTwiceAsLarge)
 {
   Study study = test::mat_study();
   study.contact.rings = 1;
@@ -226,7 +226,7 @@ TEST(ErrorBands, AreEmptyIfAChangedDiscretisationHasNoBalance)
 }
 
 /// Budget rows with a closed form have no error band.
-TEST(ErrorBands, ExistForEveryBudgetRowWithAContact)
+TEST(ErrorBands, ExistForBudgetRowsWithAContactOnlyAndAgreeWithTheBandsOfTheSpins)
 {
   Study study = test::quick_contact_study();
   study.contact.harmonics = 16;
@@ -254,7 +254,7 @@ TEST(ErrorBands, ExistForEveryBudgetRowWithAContact)
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfAllHarmonicsAndOfTheFirst)
+TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
 {
   const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
   std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),

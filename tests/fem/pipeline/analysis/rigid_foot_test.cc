@@ -185,7 +185,7 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
   }
 }
 
-TEST(RigidFoot, AgreesWithOtherCodeWithoutTiltAndInTheTerminalState)
+TEST(RigidFoot, SpinWithoutTiltAndTerminalStateWithTiltAgreeWithOtherCode)
 {
   struct Row
   {

@@ -27,7 +27,7 @@ TEST(RimSlip, FrictionOpposesTheMotionWithoutSpin)
   EXPECT_EQ(places[18].friction_x, 0); // theta = 270 degrees
 }
 
-TEST(RimSlip, VanishesOnTheLeftAtSlipRatioOne)
+TEST(RimSlip, VanishesOnTheLeftAndIsDiagonalInFrontAtSlipRatioOne)
 {
   ring::Motion motion;
   const double radius = 0.03, omega = motion.orbit_speed / radius; // slip ratio 1

@@ -173,7 +173,7 @@ double mean_spin(const Study &study)
 } // namespace
 
 // The error band compares degree 1 with degree 2 at rest and at one spin. Reference: degree 2 at every spin.
-TEST(SolidBands, ContainTheChangeOfTheTerminalSpinByDegreeTwoOnAnOvalMesh)
+TEST(SolidBands, DegreePartContainsTheSpinChangeFromDegreeOneToTwoOnAnOvalMesh)
 {
   Study study = study_of_mesh("oval_foot.msh");
   study.table.foundation_modulus = 2e9;
@@ -225,7 +225,7 @@ TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
 }
 
 // The error band comes from a coarser mesh. Its number of cells across the land must be even: 4 instead of 6.
-TEST(SolidBands, ContainTheErrorIfHalfTheNumberOfCellsIsOdd)
+TEST(SolidBands, ContainTheErrorIfHalfTheNumberOfRadialCellsIsOdd)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
   study.load.moment_ratio = 0.6;
@@ -234,7 +234,7 @@ TEST(SolidBands, ContainTheErrorIfHalfTheNumberOfCellsIsOdd)
 }
 
 // At re-entrant corners the error is of first order. The error band comes from cells of twice the size.
-TEST(SolidBands, ContainTheErrorOfAStepOnAMatLong)
+TEST(SolidBands, ContainTheErrorOfAStepShapedFootOnAMatLong)
 {
   const Study study = step_on_mat(1e11);
   expect_bands_of_mat(study, revolved(study), { "omega_terminal", "a2", "b3", "a4" });
@@ -249,7 +249,7 @@ TEST(SolidBands, ContainTheErrorOfAContactNarrowerThanItsCellsLong)
 }
 
 // Short version of ContainTheErrorOfAFlatLandOnAHardTableLong: linear elements.
-TEST(SolidBands, ContainTheErrorOfLinearElementsOnAHardFlatLand)
+TEST(SolidBands, ContainTheErrorOfLinearElementsForAFlatLandOnAHardTable)
 {
   Study study = flat_land(0.5);
   study.contact.resolution = { 16, 2, 1 };

@@ -127,7 +127,7 @@ BalancedLoad tipping_beyond(double last)
 
 // Rest is unstable if the hand is at the centre of mass and friction decreases with the slip. Reference: a
 // glass whose hand is 1e-6 m lower spins up.
-TEST(SpinStudy, ReportsUnstableRest)
+TEST(SpinStudy, ReportsThatRestIsUnstableAndThatASmallOffsetSpinsTheGlassUp)
 {
   Study study = test::mat_study();
   study.load.source = LoadSource::first_harmonic;
@@ -192,7 +192,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   EXPECT_GT(*most, 0);
 }
 
-TEST(Answer, GivesTheStatusAndTheReasonForAMissingTerminalSpin)
+TEST(Answer, GivesTheStatusAndTheReasonForAMissingSpinAndRethrowsOtherErrors)
 {
   const auto refusing = [](auto failure)
   {

@@ -62,7 +62,7 @@ TEST(ContactRun, RepeatedRunsWriteEqualFiles)
   EXPECT_EQ(read_text(scratch / "echo/summary.json"), one.at("summary.json"));
 }
 
-TEST(ContactRun, LoadFileGivesTheHarmonicsOfTheContactRun)
+TEST(ContactRun, ARunWithTheWrittenLoadFileGivesTheSameLoadAndTruncation)
 {
   const ScratchFolder scratch;
   const auto contact = run(scratch, { "Contact/Rings=1" }, "contact"); // a load file has one ring
@@ -98,7 +98,7 @@ TEST(ContactRun, ResultsDoNotDependOnTheUnits)
   }
 }
 
-TEST(ContactRun, OnlyTheOvalOfTwoMeshFilesGivesHigherHarmonicsAndSpinRipple)
+TEST(ContactRun, AnOvalMeshGivesHigherHarmonicsAndSpinRippleAndARoundMeshDoesNot)
 {
   const ScratchFolder scratch;
   const auto flat = run(scratch, { "Contact/Mesh file=" STEMWARE_MESHES "/flat_foot.msh" });
@@ -181,7 +181,7 @@ TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{});
 }
 
-TEST(ContactRun, TwoRanksGiveTheSameResults)
+TEST(ContactRun, TwoRanksGiveTheResultsOfOneAndWriteTheirFieldsInTwoPieces)
 {
   const ScratchFolder scratch;
   const auto alone = run(scratch, {}, "alone");

@@ -12,7 +12,7 @@ namespace stemware::test
 namespace
 {
 
-TEST(ConvergeRun, WritesOrdersAndBands)
+TEST(ConvergeRun, WritesConvergenceOrdersAndErrorBands)
 {
   const ScratchFolder scratch;
   const std::string study = scratch.write("study.prm", "subsection Load\n  set Moment ratio = 0.6\nend\n");

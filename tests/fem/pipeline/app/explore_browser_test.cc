@@ -270,7 +270,7 @@ std::string states_script(const std::string &page, const std::vector<Taught> &st
   return found;)";
 }
 
-TEST(ExplorePage, LessonIsCorrectInEveryState)
+TEST(ExplorePage, LessonIsCorrectInThirteenStates)
 {
   const std::string hand = "Motion/Hand height", centre = "Motion/Centre of mass height";
   // If the hand is below the centre of mass, the outside of the rim is loaded more. Friction on the outside

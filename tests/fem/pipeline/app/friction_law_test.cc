@@ -95,7 +95,7 @@ TEST(FrictionLawStudy, ViscousFrictionAgreesWithTheClosedForm)
   EXPECT_NEAR(spin_of(quick_run(viscous)) / omega, 1, 1e-9);
 }
 
-TEST(FrictionLawStudy, RunTruncateAndSweepUseTheLaw)
+TEST(FrictionLawStudy, RunTruncateAndSweepUseTheStribeckLawAndOneVariantOmitsIt)
 {
   const Settings law = with_law("0.2", "0.5", "0.3 m/s");
   const nlohmann::json run = solved(ScratchFolder(), { "run" }, law);

@@ -107,7 +107,7 @@ TEST(Interruption, AFailedWriteLeavesOlderResultsUnchanged)
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }
 
-TEST(Interruption, IgnoredSignalsStayIgnored)
+TEST(Interruption, AHangUpSignalIgnoredAtTheStartStaysIgnored)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());

@@ -26,7 +26,7 @@ Ended in_slurm_step(const ScratchFolder &scratch, const std::vector<std::string>
   return RunningProgram(command, scratch.path()).end();
 }
 
-TEST(SlurmStep, VerbsRunInAJobStepWithoutPmi)
+TEST(SlurmStep, RunSweepAndExploreWorkInAJobStepWithoutPmi)
 {
   const ScratchFolder scratch;
   const std::string study = scratch.write("study.prm", plain_study());
@@ -40,7 +40,7 @@ TEST(SlurmStep, VerbsRunInAJobStepWithoutPmi)
   }
 }
 
-TEST(SlurmStep, ASolidFootRunsInAJobStepWithoutPmi)
+TEST(SlurmStep, ARunOfASolidFootWorksInAJobStepWithoutPmi)
 {
   const ScratchFolder scratch;
   const Ended ended = in_slurm_step(

@@ -53,7 +53,7 @@ std::string measured_script(const std::string &page, const nlohmann::ordered_jso
   return found;)";
 }
 
-TEST(ExplorePage, DrawsMeasuredRunsOfSeveralFileFormats)
+TEST(ExplorePage, DrawsMeasuredRunsOfFourFileFormatsAndRefusesAFileWithoutNumbers)
 {
   using Points = std::vector<std::pair<double, double>>;
   const std::string hostile = "<img src=x onerror=parent.ran=1>.csv";

@@ -15,7 +15,7 @@ TEST(StudyOptions, QuietPrintsNothing)
   EXPECT_EQ(read_summary(scratch / "results/default")["verb"], "run");
 }
 
-TEST(StudyOptions, JsonPrintsOneLine)
+TEST(StudyOptions, JsonPrintsOneLineWithTheNumbersOfTheSummary)
 {
   const ScratchFolder scratch;
   const Ended ended =

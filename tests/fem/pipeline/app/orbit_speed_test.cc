@@ -195,7 +195,7 @@ TEST(OrbitSpeed, BreakawayAgreesWithStaticFrictionAndBadCoefficientsAreRefused)
               testing::HasSubstr("at least the coefficient of sliding"));
 }
 
-TEST(OrbitSpeed, ReportsTheEffectOfInterpolatingTheSpeeds)
+TEST(OrbitSpeed, ReportsTheSpinChangeFromLinearToCubicInterpolationOfTheSpeeds)
 {
   // The table `dense` has many rows on the polygon through `rows`, so the cubic interpolation of `dense`
   // nearly equals the polygon.

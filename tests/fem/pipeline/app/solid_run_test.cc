@@ -25,7 +25,7 @@ double truncated_spin(const std::string &setting)
     .back()["omega_terminal"];
 }
 
-TEST(SolidRun, AgreesWithARingOnOneCircleOfNodes)
+TEST(SolidRun, FirstHarmonicSpinAgreesWithARingIfTheContactIsACircleOfNodes)
 {
   // A thick foot of linear elements on a hard table is in contact only at the nodes on the contact radius.
   // Without tilt, the spin of the first harmonic equals the closed form for a ring (second budget row).

@@ -206,7 +206,7 @@ TEST(Sweep, RefusesToResumeWithAChangedInputFile)
   expect_refused(stemware(scratch, arguments), 3, "reads ../b.dat");
 }
 
-TEST(Sweep, FailedCasesAreReportedInTheirRowsAndFailTheSweepIfNoneSucceeds)
+TEST(Sweep, FailedCasesAreReportedInTheirRowsAndASweepWithoutSuccessFails)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
@@ -232,7 +232,7 @@ TEST(Sweep, FailedCasesAreReportedInTheirRowsAndFailTheSweepIfNoneSucceeds)
   EXPECT_NE(rows_in(scratch, "failed"), "");
 }
 
-TEST(Sweep, TippingAtRestHasTheStatusTips)
+TEST(Sweep, ACaseThatTipsAtRestHasTheStatusTipsAndNoSpin)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", quick_study());
@@ -249,7 +249,7 @@ TEST(Sweep, TippingAtRestHasTheStatusTips)
   EXPECT_EQ(table.text(1, "status"), "ok");
 }
 
-TEST(Sweep, ComparesSolidAndRevolutionInOneTable)
+TEST(Sweep, SolidBodyAndBodyOfRevolutionHaveNearlyTheSameSpinInOneTable)
 {
   const ScratchFolder scratch;
   scratch.write("study.prm", coarse_study());

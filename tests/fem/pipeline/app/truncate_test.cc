@@ -34,7 +34,7 @@ double number(const Json &row, const std::string &key)
 
 } // namespace
 
-TEST(Truncate, RowsAgreeWithRun)
+TEST(Truncate, RowsAgreeWithTheTruncationRowsOfTheCommandRun)
 {
   const Json truncated = truncated_glass()["truncation"], run = summary_of("run")["truncation"];
   ASSERT_EQ(truncated.size(), run.size());
@@ -51,7 +51,7 @@ TEST(Truncate, RowsAgreeWithRun)
   }
 }
 
-TEST(Truncate, FirstHarmonicAndCompleteLoadAgreeWithReferences)
+TEST(Truncate, SpinsOfTheFirstHarmonicAndOfAllHarmonicsAgreeWithReferences)
 {
   // Reference: independent program with contact and friction in balance at every spin.
   const double omega = -3.6490;

@@ -16,7 +16,7 @@ TEST(Text, WrapsLinesAt100Columns)
   EXPECT_EQ(wrapped(""), "");
 }
 
-TEST(Text, ClosestMatchToleratesTypingErrors)
+TEST(Text, ClosestMatchToleratesTypingErrorsButNotOtherWords)
 {
   const std::vector<std::string> words = { "run", "truncate", "converge", "sweep" };
   EXPECT_EQ(closest_match("rum", words), "run");

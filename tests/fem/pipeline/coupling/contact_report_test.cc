@@ -79,7 +79,7 @@ verification::PlainGlass plain_glass(const Described &glass, const fem::ContactS
              motion.orbit_radius, motion.orbit_speed, motion.friction_coefficient, motion.gravity } };
 }
 
-TEST(ContactReport, MomentsBalanceAndTheLeanTorqueAgreesWithSumsAtEverySpin)
+TEST(ContactReport, MomentsBalanceAndTheLeanTorqueAgreesWithSumsAtFourSpins)
 {
   const Study study = coarse_study_in_balance();
   const Described glass(study);
@@ -98,7 +98,7 @@ TEST(ContactReport, MomentsBalanceAndTheLeanTorqueAgreesWithSumsAtEverySpin)
   EXPECT_NEAR(plain_glass(glass, spinning, study, glass.omega).axial_torque, 0, 1e-8 * scale);
 }
 
-TEST(ContactReport, LoadAtTheTerminalSpinAgreesWithThePressure)
+TEST(ContactReport, FrictionTorqueVanishesAndTheLoadAgreesWithThePressureAtTheTerminalSpin)
 {
   const Study study = coarse_study_in_balance();
   const ring::Motion &motion = study.motion.orbit;

@@ -60,7 +60,7 @@ protected:
   Mesh mesh;
 };
 
-TEST_F(ForeignMesh, FindsTheContactZoneAndTheStemCutByIdOrHeight)
+TEST_F(ForeignMesh, FindsContactZoneAndStemCutByIdOrHeightAndRefusesAMeshWithoutThem)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary())
@@ -117,7 +117,7 @@ TEST_F(ForeignMesh, RefusesSwappedIdsUnlessTheEntriesAreSwapped)
   EXPECT_EQ(sentence(text(), { 1, 2, 0 }), "");
 }
 
-TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
+TEST_F(ForeignMesh, RefusesAContactZoneThatFacesSideways)
 {
   for (const auto &face : mesh.active_face_iterators())
     if (face->at_boundary() && face->boundary_id() != 1)
@@ -129,7 +129,7 @@ TEST_F(ForeignMesh, RefusesAContactZoneOnAWall)
 }
 
 /// An offset of 0.3 mm is refused. An offset of 0.02 mm is below the limit, a thousandth of the rim radius.
-TEST_F(ForeignMesh, RefusesAnOffAxisMesh)
+TEST_F(ForeignMesh, RefusesAnOffAxisMeshUnlessTheOffsetIsSmall)
 {
   move([](const dealii::Point<3> &x) { return dealii::Point<3>(x[0] + 0.0003, x[1], x[2]); });
   expect_sentence(text(), "round (0.0003, 0) m; move the mesh by (-0.0003, 0) m");

@@ -250,7 +250,7 @@ TEST(Live, RefusesChangesThatNeedAnotherMeshOrMoreCompliances)
   EXPECT_NE(solved().value("error", "").find("leaves the part of the land"), std::string::npos);
 }
 
-TEST(Live, ReportsTipping)
+TEST(Live, ReportsTippingAtRestAndDuringTheSpinUp)
 {
   fem::ComplianceCache cache;
   open_page({}, live_bodies(Study(), cache));

@@ -75,7 +75,7 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
   expect_all(falling.answer(), { "9.12 rad/s", "1.68", "1.432", "-0.001234 N m", "2.09 s" });
 }
 
-TEST(RunAnswer, SentenceAndTableShowTheHarmonicEffectAtAnyOrbitSpeed)
+TEST(RunAnswer, ShowsTheHarmonicEffectAtLowOrbitSpeedsAndABoundIfItIsRoundingError)
 {
   // The slip ratio is proportional to v^2 and only 8e-9 at 0.1 mm/s.
   Study study = quick_contact_study();
@@ -151,7 +151,7 @@ TEST(RunAnswer, PrintedIntervalContainsTheErrorBand)
     }
 }
 
-TEST(Remarks, WarnOfALayerThickerThanTheContactIsWide)
+TEST(Remarks, WarnOnlyIfASoftLayerIsThickerThanTheContactIsWide)
 {
   SolvedRun run(quick_contact_study());
   const auto remark = [&](double half_width)
@@ -168,7 +168,7 @@ TEST(Remarks, WarnOfALayerThickerThanTheContactIsWide)
   EXPECT_FALSE(remark(2e-4));
 }
 
-TEST(Remarks, ReportTheScatterOfAProfile)
+TEST(Remarks, ReportTheScatterOfAProfileOnlyAboveRounding)
 {
   SpunStudy run;
   const auto answer = [&] { return run.answer(); };

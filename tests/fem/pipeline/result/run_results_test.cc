@@ -209,7 +209,7 @@ const std::vector<BudgetRow> budget_rows = { { { 1 }, "paper", 1, -3. },
                                              { { 5 }, "harmonics", 3, -3.3, -0.1 },
                                              { { 6 }, "harmonics", {}, -3.25, 0.05 } };
 
-TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
+TEST(BudgetTable, OmitsHarmonicsWithoutEffectButNotTheCompleteModel)
 {
   std::vector<BudgetRow> rows = budget_rows;
   rows[3].difference = 1e-13;
@@ -221,7 +221,7 @@ TEST(BudgetTable, OmitsHarmonicsWithoutEffect)
   EXPECT_EQ(shown_chain(rows, 1e-9).size(), rows.size() - 1);
 }
 
-TEST(BudgetTable, OmitsPercentagesForAGlassAtRest)
+TEST(BudgetTable, OmitsOnlyPercentagesRelativeToAGlassAtRest)
 {
   std::vector<BudgetRow> rows = budget_rows;
   rows[0].omega_terminal = 0;

@@ -118,7 +118,7 @@ TEST(Table, ConsoleShowsADashForNonFiniteNumbers)
   EXPECT_EQ(console_table(texts({ { "x", nothing } })), "  x\n  -\n");
 }
 
-TEST(Quantities, AreWrittenToTheSummaryIfTheyHaveADescription)
+TEST(Quantities, AreWrittenToTheSummaryAndSchemaIfTheyHaveADescription)
 {
   EXPECT_EQ(all_fields().json(rows[1]).dump(), R"({"who":"c < d","spin":1e-15,"half":null,"at":[2.5,4.5]})");
   const Json schema = all_fields().schema();
@@ -163,7 +163,7 @@ TEST(NumberFormat, ShowsNonFiniteNumbersAsADashOrNan)
   EXPECT_EQ(to_short_text(-std::nan("")), "nan");
 }
 
-TEST(NumberFormat, FollowsTheFormatSpecification)
+TEST(NumberFormat, PrintsNumbersInTheGivenFormat)
 {
   EXPECT_EQ(format::number(-3.1290926, ".6g"), "-3.12909");
   EXPECT_EQ(format::number(-3.12, "#.6g"), "-3.12000");

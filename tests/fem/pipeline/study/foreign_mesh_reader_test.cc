@@ -187,7 +187,7 @@ TEST(GmshMesh, RefusesAMeshWithHangingNodes)
   expect_refused(fem_tests::gmsh_text(mesh), "nodes in the middle");
 }
 
-TEST(GmshMesh, RefusalOfCollapsedCellsNamesARemedy)
+TEST(GmshMesh, RefusalOfWedgesAndCollapsedCellsNamesARemedy)
 {
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "has wedges; recombine");
   expect_refused(with_elements(written(), { "6 2 0 0 1 2 3 4 5 6" }), "O-grid");

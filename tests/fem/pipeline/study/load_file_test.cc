@@ -28,7 +28,7 @@ TEST(LoadFile, IsWrittenAndReadBackExactly)
   EXPECT_EQ(again.radius(), load.radius());
 }
 
-TEST(LoadFile, ReadsSpreadsheetFormats)
+TEST(LoadFile, ReadsSemicolonsDecimalCommasAndUnicodeMinusSigns)
 {
   const ScratchFolder scratch;
   const ring::RingStack load =

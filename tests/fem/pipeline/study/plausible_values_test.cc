@@ -39,7 +39,7 @@ TEST(PlausibleValues, WarnOfProbableUnitErrors)
   }
 }
 
-TEST(PlausibleValues, IgnoreUnusedEntries)
+TEST(PlausibleValues, GiveNoWarningForUnusedEntries)
 {
   EXPECT_EQ(notes_with({ { "Table/Disc thickness", "8" } }), Texts());
   EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
@@ -79,7 +79,7 @@ TEST(PlausibleValues, ContainTheDefaultsAndExcludeValuesAboveTheMaximum)
   EXPECT_GE(n_ranges, 35u);
 }
 
-TEST(StudySize, AllowsOrdinaryStudies)
+TEST(StudySize, AllowsFineDiscretisationsASolidBodyAndALongMotion)
 {
   for (const auto &setting : Settings{ { "Contact/Refinements", "3" },
                                        { "Contact/Harmonics", "64" },
@@ -117,7 +117,7 @@ TEST(StudySize, RefusalNamesTheCostliestEntryAndALargerLimitPermitsTheStudy)
   EXPECT_EQ(refusal_of({ { "Motion/End time", "5000" }, { "Motion/Step limit", "1e7" } }), "");
 }
 
-TEST(StudySize, EstimatesAMeshFileBeforeReadingIt)
+TEST(StudySize, EstimatesTheUnknownsOfAMeshFromItsHeaderOrSizeAndRefusesALargeMesh)
 {
   const test::ScratchFolder scratch;
   const auto size_with = [&](const std::string &mesh, const std::string &refinements = "0")
@@ -141,7 +141,7 @@ TEST(StudySize, EstimatesAMeshFileBeforeReadingIt)
   EXPECT_THAT(refusal, testing::HasSubstr("give a coarser mesh, or allow more with Contact/Memory limit = "));
 }
 
-TEST(StudySize, MemoryAgreesWithMeasuredRuns)
+TEST(StudySize, EstimatedMemoryIsWithinAFactorOfTwoOfMeasuredRuns)
 {
   // The estimate must agree within a factor of two with the resident memory, measured with `stemware
   // truncate` of version 0.2 (body of revolution) and `stemware run --quick` of version 0.4 (solid).

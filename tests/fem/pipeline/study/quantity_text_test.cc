@@ -78,7 +78,7 @@ TEST(QuantityText, RefusesMalformedNumbersAndWrongUnits)
     EXPECT_EQ(parse_quantity(text, "kg"), std::nullopt) << text;
 }
 
-TEST(QuantityText, EveryEntryRefusesAnotherDimension)
+TEST(QuantityText, EveryEntryAcceptsItsOwnUnitAndRefusesAnotherDimension)
 {
   Study study;
   unsigned int n_quantities = 0;

@@ -12,7 +12,7 @@ namespace
 using test::refusal_of;
 using Settings = test::EntryTexts;
 
-TEST(StudyChecks, IgnoreTheFootButNotTheContactRadiusWithoutContact)
+TEST(StudyChecks, CheckOnlyTheContactRadiusOfTheFootIfNoContactIsSolved)
 {
   // The contact radius 65 mm exceeds the default foot radius 34 mm.
   const Settings ring = { { "Glass/Contact radius", "65 mm" } };
@@ -31,7 +31,7 @@ struct Check
   std::string named;
 };
 
-TEST(StudyChecks, RefuseInconsistentAndOutOfRangeValues)
+TEST(StudyChecks, RefuseOnlyInconsistentAndOutOfRangeValues)
 {
   const std::pair<std::string, std::string> elastic = { "Table/Substrate", "elastic" },
                                             solid = { "Contact/Body", "solid" };
@@ -80,7 +80,7 @@ TEST(StudyChecks, RefuseInconsistentAndOutOfRangeValues)
   }
 }
 
-TEST(StudyChecks, RefuseAGoalIfTheErrorCannotBeEstimated)
+TEST(StudyChecks, RefuseAGoalOnlyIfTheErrorCannotBeEstimated)
 {
   EXPECT_EQ(refusal_of({ { "Contact/Goal", "torque" }, { "Contact/Body", "solid" } }), "");
   for (const auto &[settings, needs] :

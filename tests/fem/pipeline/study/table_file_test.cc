@@ -27,7 +27,7 @@ TEST(TableFile, DetectsTheSeparatorInTheFirstRow)
   EXPECT_EQ(parse_table("", "Motion/Force offset\n-0,05\n").rows[0].cells, Cells{ "Motion/Force offset" });
 }
 
-TEST(TableFile, ReadsTheSeparatorLineOfSpreadsheets)
+TEST(TableFile, ReadsTheSeparatorLineOfSpreadsheetsAndRefusesInvalidLines)
 {
   for (const std::string text :
        { "sep=;\nt (s), of video;v\n1;2,5\n", "SEP=;\r\nt (s), of video;v\r\n1;2,5" })
@@ -44,7 +44,7 @@ TEST(TableFile, ReadsTheSeparatorLineOfSpreadsheets)
     EXPECT_THROW(parse_table("a table", text), BadInput) << text;
 }
 
-TEST(TableFile, QuotesFollowRfc4180)
+TEST(TableFile, ReadsQuotesAccordingToRfc4180AndRefusesAnOpenQuote)
 {
   const TextTable table =
     parse_table("", "name,\"a, \"\"quoted\"\" heading\"\n\"two\nlines\",\" x \"\n\"1,000\",;\n");
@@ -59,7 +59,7 @@ TEST(TableFile, QuotesFollowRfc4180)
               testing::HasSubstr("cases.csv, line 2: "));
 }
 
-TEST(TableFile, ReadsEmptyCellsAndDecimalCommas)
+TEST(TableFile, ReadsEmptyCellsAndDecimalCommasButNoThousandsSeparators)
 {
   const TextTable table = parse_table("", "a;b;c\n;1,5;\n1.000,5;2,000,3;2\n");
   EXPECT_EQ(table.rows[1].cells, (Cells{ "", "1,5", "" }));

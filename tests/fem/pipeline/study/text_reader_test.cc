@@ -55,7 +55,7 @@ TEST(TextReader, ReadsUtf8WithAByteOrderMarkAndRefusesUtf16)
   }
 }
 
-TEST(TextReader, NamesThePositionOfAJsonError)
+TEST(TextReader, NamesJsonErrorsAndThePositionOfSyntaxErrors)
 {
   expect_refused_study("{\"Glass\": {\n  \"Contact radius\": 0.03,\n", ".json",
                        "line 3, column 1: the JSON ends");
