@@ -226,7 +226,7 @@ TEST(ErrorBands, AreEmptyIfAChangedDiscretisationHasNoBalance)
 }
 
 /// Budget rows with a closed form have no error band.
-TEST(ErrorBands, ExistForBudgetRowsWithAContactOnlyAndAgreeWithTheBandsOfTheSpins)
+TEST(ErrorBands, ExistForExactlyTheBudgetRowsWithAContactAndAgreeWithTheSpinBands)
 {
   Study study = test::quick_contact_study();
   study.contact.harmonics = 16;

@@ -167,7 +167,7 @@ TEST(ContactRun, RimRadiusAndContactOfAPlateAgreeWithClosedForms)
   EXPECT_NEAR(summary["load"]["peak_pressure"].get<double>() / (2 * 2.943 / (3 * 0.022 * 0.04)), 1, 1e-3);
 }
 
-TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
+TEST(ContactRun, ReportsAGlassThatTipsOnASoftMatAndWritesNoFiles)
 {
   const ScratchFolder scratch;
   const Ended ended =
@@ -181,7 +181,7 @@ TEST(ContactRun, ReportsAGlassThatTipsOnASoftMat)
   EXPECT_EQ(names_in(scratch.path()), std::vector<std::string>{});
 }
 
-TEST(ContactRun, TwoRanksGiveTheResultsOfOneAndWriteTheirFieldsInTwoPieces)
+TEST(ContactRun, TwoRanksGiveTheResultsOfOneRankAndWriteTheirFieldsInTwoPieces)
 {
   const ScratchFolder scratch;
   const auto alone = run(scratch, {}, "alone");

@@ -43,7 +43,7 @@ TEST(RevolutionRun, SolvesSeveralContactsOnlyIfTheLoadDependsOnTheSpin)
   EXPECT_GT(turning["coupling"]["balanced_spins"].get<int>(), 10);
 }
 
-TEST(RevolutionRun, PressureIntegratesToTheLineLoadsAndTheseToTheForceAndMoment)
+TEST(RevolutionRun, PressureIntegratesToLineLoadsThatIntegrateToTheForceAndMoment)
 {
   const ScratchFolder scratch;
   const auto summary = glass_run(scratch, { "Load/Moment ratio=1.5" });

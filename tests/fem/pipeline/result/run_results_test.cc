@@ -186,7 +186,7 @@ TEST(RunResults, SummaryContainsTheGoalOfTheMesh)
   EXPECT_FALSE(solved_run().summary().contains("goal"));
 }
 
-TEST(TruncationResults, ReportTheHarmonicsForAToleranceAndTheReasonOfAFailedRow)
+TEST(TruncationResults, ReportTheNumberOfHarmonicsForAToleranceAndTheReasonOfAFailedRow)
 {
   StudyAnswer run = solved_run();
   std::vector<ring::Answer> &rows = run.spin.rows;

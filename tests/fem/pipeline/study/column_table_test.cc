@@ -23,7 +23,7 @@ std::string column_text_refusal(const std::string &text)
   return test::sentence_of([&] { read(text); });
 }
 
-TEST(ColumnTable, ReadsSpinsInTurnsAndDegrees)
+TEST(ColumnTable, ReadsSpinsInTurnsOrDegreesPerTime)
 {
   for (const auto &[unit, factor] : { std::pair("rpm", ring::pi / 30), std::pair("rev/s", 2 * ring::pi),
                                       std::pair("°/s", ring::pi / 180), std::pair("deg/s", ring::pi / 180) })

@@ -45,7 +45,7 @@ TEST(PlausibleValues, GiveNoWarningForUnusedEntries)
   EXPECT_EQ(notes_with({ { "Glass/Crown radius", "0" } }), Texts());
 }
 
-TEST(PlausibleValues, AreListedInDocsValues)
+TEST(PlausibleValues, AreListedInTheDocumentation)
 {
   const std::string page = test::read_text(STEMWARE_DOCS "/values.md");
   for (const StudyEntry &entry : entries_of(Study()))
