@@ -325,7 +325,7 @@ TEST(LongTimeSpin, IsAccurateAtNegligibleInertiaWithoutResolvingTheTimeConstant)
   EXPECT_LT(n_torques, 1500000u);
 }
 
-TEST(LongTimeSpin, InertiaShiftsTheMeanUnderVaryingDamping)
+TEST(LongTimeSpin, MeanIsAccurateIfInertiaShiftsItUnderVaryingDamping)
 {
   MarkedRing ring;
   ring.roughness = 0.5;

@@ -173,7 +173,7 @@ TEST(Multigrid, NestedIterationAgreesWithTheFactorisation)
   EXPECT_LE(found.equilibrium_residual, 1e-9);
 }
 
-TEST(Multigrid, UnsymmetricSystemAgreesWithTheFactorisation)
+TEST(Multigrid, MomentBalanceWithFrictionArmAndTiltAgreesWithTheFactorisation)
 {
   // A friction arm of half the radius and a tilt moment make the system unsymmetric.
   FootCase direct(GlassProfile(), { 12, 2, 1, 1 }, options_of(2), TestSolver::factors);
