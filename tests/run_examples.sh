@@ -85,7 +85,7 @@ reduced() {
   # One contact is enough; a balance at every spin takes hundreds.
   local of_the_page=$source/docs/cookbooks/none
   [[ $command == *snippet.prm* ]] && of_the_page=docs/cookbooks/snippet.prm
-  if [[ $command == *"stemware run"*"Contact/Body=solid"* ]] || grep -qs "Body *= *solid" "$of_the_page"; then
+  if [[ $command == *"stemware run"*"Contact/Body=solid"* || $command == mpirun* ]] || grep -qs "Body *= *solid" "$of_the_page"; then
     [[ $command == *"Load/Coupling="* ]] || command+=' --set "Load/Coupling=one-way"'
   fi
   if [[ $command == *"Table/Waviness="* ]]; then

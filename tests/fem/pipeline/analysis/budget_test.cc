@@ -24,7 +24,8 @@ namespace
 using namespace stemware::test;
 using Texts = std::vector<std::string>;
 
-/// Returns "step name harmonics" of every row, e.g. "4 harmonics 2".
+/// Returns step, name and number of harmonics of every row: "4 harmonics 2" is step 4, the row named
+/// harmonics, with 2 harmonics.
 Texts rows_of(const Budget &budget)
 {
   Texts rows;

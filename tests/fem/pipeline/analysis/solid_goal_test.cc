@@ -51,8 +51,9 @@ GoalError error_of(const Study &study, const Discretisation &discretisation = {}
 
 } // namespace
 
-// Short version of EstimatesAreCloseToTheErrorsAndControlTheRefinementLong: a single mesh and a given moment.
-TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndControlTheRefinementOnACoarseMesh)
+// Short version of EstimatesAreCloseToTheErrorsAndEachRefinementHalvesTheErrorLong: a single mesh and a
+// given moment.
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndALargerToleranceNeedsNoRefinement)
 {
   for (const Goal goal : { Goal::a2, Goal::terminal_spin })
   {
@@ -87,7 +88,7 @@ TEST(SolidGoal, KeepsTheMeshOfAStudyWithoutAGoal)
 }
 
 // Reference: body of revolution, whose error is below a tenth of the smallest compared error.
-TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndControlTheRefinementLong)
+TEST(SolidGoal, EstimatesAreCloseToTheErrorsAndEachRefinementHalvesTheErrorLong)
 {
   Study study = lifting_foot();
   const Study of_revolution = study;

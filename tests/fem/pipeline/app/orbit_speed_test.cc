@@ -103,7 +103,7 @@ double largest_difference(const std::vector<double> &one, const std::vector<doub
 
 } // namespace
 
-TEST(OrbitSpeed, AFileWithConstantSpeedGivesTheSpinsWithoutAFile)
+TEST(OrbitSpeed, AFileWithConstantSpeedGivesTheSameSpinsAsNoFile)
 {
   std::vector<double> steady;
   const std::string constant = "# a motor\nt (s), v (cm/s)\n0, 35\n1, 35\n3, 35\n";

@@ -103,7 +103,7 @@ TEST(ProfileFile, RefusesBadFiles)
   EXPECT_THROW(read_study("", { "Glass/Shape=profile", "Glass/Profile file=missing.csv" }), BadInput);
 }
 
-TEST(ProfileFile, IgnoresEntriesOfOtherShapes)
+TEST(ProfileFile, ListsEntriesOfOtherShapesAsUnused)
 {
   const Study study =
     study_of(millimetres + plain_foot,
