@@ -15,8 +15,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Maximum norm of the part of the compliance that the polynomials in r do not represent, relative to the
-/// norm of the compliance.
+/// Largest accepted norm of the part of the compliance that the polynomials in r do not represent, relative
+/// to the norm of the compliance.
 constexpr double step_accuracy = 1e-4;
 /// From this number of polynomials on (land wide compared with the shortest wavelength), a step less accurate
 /// than step_accuracy is accepted if its contraction factor is at most slowest_contraction.

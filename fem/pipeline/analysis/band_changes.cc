@@ -34,8 +34,9 @@ Variant changed(Variant copy, const Setting &change)
   return copy;
 }
 
-/// Returns a change to @p variant. @p factor times the difference of its results from a reference is added to
-/// @p part of the error band. Reference: first change of part @p from; the study if @p from is empty.
+/// Returns the contribution of @p variant to @p part of the error band: @p factor times the difference
+/// between the results of @p variant and of a reference. The reference is the first variant of part @p from,
+/// or the study if @p from is empty.
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {

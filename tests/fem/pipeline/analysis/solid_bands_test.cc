@@ -186,8 +186,9 @@ TEST(SolidBands, DegreePartContainsTheSpinChangeFromDegreeOneToTwoOnAnOvalMesh)
   EXPECT_LE(part, 1.5 * change);
 }
 
-// The contact edge crosses element faces, and the pressure has a kink at the edge. The displacement of a
-// rigid plate is exact on every mesh, so the error band must come from a change of the contact lines.
+// The displacement of a rigid plate is exact on every mesh. The only error comes from the integration of the
+// pressure, which has a kink at the contact edge inside the element faces. The band must therefore come from
+// the variant with another number of contact lines.
 TEST(SolidBands, ContainTheErrorOfAPlateWithLiftOff)
 {
   for (const double eccentricity : { 0.62, 0.55 })
