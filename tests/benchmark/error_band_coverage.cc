@@ -2,8 +2,8 @@
 // finer reference, which does not use the refinement levels of the band:
 //   axes      the result plus the sum of its changes due to each single refinement: contact cells and corner
 //             cells of 1/8 of the size, a higher degree, 8 times the azimuth lines, 4 times the elastic
-//             harmonics, 96 harmonics of the load, a spring 100 times stiffer in place of a hard interface,
-//             sums over points instead of rings
+//             harmonics, 96 harmonics of the load, a penalty spring 100 times stiffer (hard
+//             interface), sums over points instead of rings
 //   together  the study with all refinements at once: cells of 1/4 of the size, 4 times the lines and
 //             elastic harmonics, 96 harmonics of the load, the stiffer spring, and sums over points
 //   converge  the reference of `together`; the bands of `stemware converge` are checked, too

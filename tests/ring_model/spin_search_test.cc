@@ -107,7 +107,7 @@ TEST(SpinSearch, AgreesWithTheClosedFormUnderAGripTorqueInFewEvaluations)
     }
 }
 
-TEST(SpinSearch, ZeroSpinIsHeldUnderAStrongGripButNotAtZeroTorque)
+TEST(SpinSearch, AGlassIsHeldOnlyIfTheGripExceedsANonzeroTorqueAtRest)
 {
   const SelfConsistentRing ring(Closure::full, Motion(), radius);
   const auto torque = [&](double omega) { return ring.torque(omega); };
@@ -118,7 +118,7 @@ TEST(SpinSearch, ZeroSpinIsHeldUnderAStrongGripButNotAtZeroTorque)
   EXPECT_FALSE(find_terminal_spin(torque, { scale, {}, 0.0036749 }).held);
   const TerminalSpin spin = terminal_spin(torque, 3e-4, SpinSearch{ scale, {}, 0.0036751 });
   EXPECT_TRUE(spin.held && spin.stable && std::isnan(spin.time_constant));
-  // The torque vanishes at zero spin, so the spin is zero without a grip.
+  // The torque vanishes at zero spin, so the terminal spin is zero even without a grip.
   const SpinZero upright = find_terminal_spin([](double omega) { return -omega; }, { scale });
   EXPECT_TRUE(upright.omega == 0. && !upright.held);
 }

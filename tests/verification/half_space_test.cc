@@ -119,8 +119,8 @@ TEST(Layer, NormalComplianceAgreesWithTheTransferFunction)
   }
 }
 
-// Reference: tests/verification/annular_punch.py, a layer that is 100 outer radii thick. The remaining error
-// comes from the singular pressure at the edges.
+// Reference: tests/verification/annular_punch.py, for a layer that is 100 outer radii thick. The remaining
+// error comes from the singular pressure at the edges.
 TEST(HalfSpace, DepthAndTiltOfWideAnnularPunchesConvergeToTheReference)
 {
   const struct

@@ -116,7 +116,7 @@ private:
   }
 
   const unsigned int n_lines;
-  const double self_influence; ///< L
+  const double self_influence; ///< L = 2 ln(16 R / b_0) + 1
   Eigen::MatrixXd influence;
   Eigen::VectorXd load;
 };
@@ -140,7 +140,8 @@ ContactLoad press_ring(double moment_ratio, unsigned int n_lines)
   setup.table = { std::make_shared<HardInterface>(), substrate };
   setup.meridian.n_harmonics = n_harmonics;
   setup.n_lines = n_lines;
-  setup.fineness = 4; // cells of b / 16; with cells of b / 4, a_2 = 0.007 a_0 has an error of 2e-4 a_0
+  // Cells of half_width / 16. With cells of half_width / 4, a_2 = 0.007 a_0 has an error of 2e-4 a_0.
+  setup.fineness = 4;
   static ComplianceCache cache;
   MeshedRevolutionFoot foot(setup.resolved_for(weight), cache);
   return foot.solve(load_at(moment_ratio)).load;
@@ -175,8 +176,8 @@ TEST(LineContact, AgreesWithTheOracleOnACrownedRingWithLiftOff)
   const unsigned int n_lines = 128;
   const ContactLoad load = press_ring(1.3, n_lines);
   EXPECT_NEAR(load.contact_fraction, expected.loaded_share(), 1.5 / n_lines);
-  // Expected: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. The ratio of width and radius is 1 %, and the
-  // tolerances are below 1 % of the largest value.
+  // Expected a_n / a_0: 0.2099, -0.0924, 0.0279, 0.0084, -0.0189. The ratio of width and radius is 1 %, and
+  // the tolerances are below 1 % of the largest value.
   for (unsigned int n = 2; n <= 6; ++n)
     EXPECT_NEAR(load.a(n) / load.a(0), expected.harmonic(n), n == 2 ? 1.2e-3 : 5e-4) << "n = " << n;
 }

@@ -91,7 +91,7 @@ struct PunchCells
   std::vector<double> on_contact, on_punch, on_disc; ///< along r, beginning with the contact zone
   std::vector<double> upward, downward;              ///< along z, beginning at the contact
 
-  /// Adds the rounded edge outside the contact zone, in steps of @p angle up to 90 degrees.
+  /// Adds cells along the rounded edge outside the contact zone, in steps of @p angle up to 90 degrees.
   void add_edge(double angle)
   {
     double radius = std::accumulate(on_contact.begin(), on_contact.end(), 0.);

@@ -134,7 +134,7 @@ TEST(SlidingTraction, AllowsZeroButNotNegativeFriction)
 }
 
 // Reference: midpoint rule of the pressure under a crown of height x^2 / (2 rho).
-TEST(InterfaceHalfWidth, PressureWithinItIntegratesToTheLineLoad)
+TEST(InterfaceHalfWidth, PressureWithinTheHalfWidthIntegratesToTheLineLoad)
 {
   const double line_load = 5e3, crown_radius = 2e-3;
   const WinklerInterface mat(3e11);

@@ -27,7 +27,8 @@ Eigen::MatrixXd response_to_unit_force(const ElasticResponse &response, Eigen::I
   Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(response.n_radii(), few_lines);
   for (Eigen::Index line = 0; line < few_lines; ++line)
   {
-    double left = line == j ? few_lines / (2 * pi) : 0; // harmonics above few_harmonics
+    double left =
+      line == j ? few_lines / (2 * pi) : 0; // rest of the point force: harmonics above few_harmonics
     for (unsigned int n = 0; n <= few_harmonics; ++n)
     {
       const double angle = n * (azimuth(line) - azimuth(j));

@@ -55,8 +55,8 @@ TEST(LinearSolver, AggregationMultigridAgreesWithTheFactorisation)
   expect_equal(multigrid.press(), direct.press());
 }
 
-/// Iterations reduce the residual to 1e-11. A smoother without coarse grid would need twice as many
-/// iterations for half the cell size.
+/// The iterations reduce the residual by the factor 1e-11. If the cells are halved, a smoother without a
+/// coarse grid would need twice as many iterations.
 TEST(LinearSolver, IterationsHardlyGrowWithRefinementAndDegree)
 {
   OvalFoot coarse({ 48, 4, 4, 0 }, TestSolver::multigrid, 1);

@@ -164,7 +164,7 @@ TEST(SolidFoot, ReturnsTheFirstOfTwoBalances)
   demand.tilt_moment = weight * height;
   const double expected = -oracle.solve(demand).load.moment().y() / scale;
   ASSERT_LT(expected, 1.2);
-  // For a small foot on one rank, LinearSolver::automatic selects the condensed solver.
+  // On a coarse mesh on one rank, LinearSolver::automatic selects the condensed solver.
   for (const LinearSolver solver : { LinearSolver::automatic, LinearSolver::multigrid })
   {
     SolidSetup setup;

@@ -77,7 +77,7 @@ TEST(OneNumber, MomentRatiosReferToTheContactRadius)
   EXPECT_NEAR(summary["load"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["load_at_terminal"]["moment_ratio"].get<double>(), 1.2, 1e-9);
   EXPECT_NEAR(summary["ring"]["moment_ratio_at_terminal"].get<double>(), 1.2, 1e-9);
-  // The ratio of the summed harmonics differs, because the load does not act at the contact radius.
+  // The ratio |(a_1, b_1)| / a_0 differs from 1.2, because the load does not act at the contact radius.
   const Json &load = summary["load"];
   const double of_harmonics =
     std::hypot(load["a"][1].get<double>(), load["b"][1].get<double>()) / load["a"][0].get<double>();

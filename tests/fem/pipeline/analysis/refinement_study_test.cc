@@ -192,7 +192,7 @@ TEST(ErrorBands, ContainTheErrorOfASingleRingAndAreAtMostTwiceAsLarge)
   const Levels comparison(study, finer);
   const BandedQuantity &spin = comparison.band("omega_terminal");
   const double error = std::abs(spin.quantity.value - quantity_of(comparison.finer, "omega_terminal").value);
-  EXPECT_GT(error, 0.5 * spin.band); // the single ring causes most of the error band
+  EXPECT_GT(error, 0.5 * spin.band);
   EXPECT_LT(error, spin.band);
 }
 

@@ -67,9 +67,9 @@ struct ReferenceState
   std::map<std::string, double> expected;
 };
 
-// Reference: quadrature of pressure and friction over the land, and balance with tilt at every spin, correct
-// to nine digits. Time constants by finite differences of the torque: the results of steps from 0.003 to 0.03
-// rad/s agree to 6e-10.
+// The reference values are correct to nine digits. Pressure and friction are integrated over the land by
+// quadrature, and the moment balance with tilt is solved at every spin. The time constants come from finite
+// differences of the torque; steps from 0.003 to 0.03 rad/s give the same time constant to within 6e-10.
 TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
 {
   const std::vector<ReferenceState> states = {

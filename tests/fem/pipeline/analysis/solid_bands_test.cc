@@ -41,9 +41,9 @@ Study revolved(Study study, unsigned int refinements = 1)
   return study;
 }
 
-/// Expects that the two values of @p key agree within the sum of their error bands. @p widest: maximum ratio
-/// of the solid foot's error band to the difference; 0: no limit, because the difference may vanish by
-/// chance.
+/// Expects that the two values of @p key agree within the sum of their error bands. @p widest: largest
+/// accepted ratio of the solid foot's error band to the difference of the two values; 0: no limit, because
+/// the difference may vanish by chance.
 void expect_within_both(const ErrorBands &solid, const ErrorBands &revolution, const std::string &key,
                         double widest = 0)
 {

@@ -182,7 +182,7 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   const double omega = moved["ring"]["omega_terminal"].get<double>();
   const std::string page = read_text(scratch / "page.html");
   EXPECT_LT(page.size(), 1'300'000u);
-  // If the policy forbids workers from blob:, the page solves in its main thread.
+  // If the content security policy forbids workers from blob:, the page solves in its main thread.
   for (const std::string policy : { "worker-src blob:", "worker-src 'none'" })
   {
     SCOPED_TRACE(policy);

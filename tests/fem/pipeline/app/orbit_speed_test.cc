@@ -133,7 +133,7 @@ TEST(OrbitSpeed, SpinUpFromRestAgreesWithAnotherIntegration)
   const std::vector<double> later =
     driven("t (s), v (m/s)\n0, 0\n0.5, 0\n0.75, 0.0625\n1, 0.125\n1.5, 0.25\n",
            { ring, "Motion/End time=1.5", "Motion/Orbit speed=0.2" })[3];
-  EXPECT_EQ(later[60], 0); // t = 0.45 s
+  EXPECT_EQ(later[60], 0); // t = 0.45 s: the orbit speed is still 0
   EXPECT_NEAR(later.back() / expected.back(), 1, 0.02);
 }
 

@@ -107,7 +107,7 @@ TEST(StudyChoices, AGivenMomentDisablesBalanceAndTilt)
   EXPECT_FALSE(study.tilts());
 }
 
-TEST(StudyChoices, TiltRequiresTheFullClosureAndAContact)
+TEST(StudyChoices, TiltRequiresTheFullClosureAndAContactAndCanBeNeglected)
 {
   const auto tilts = [](const Settings &settings) { return test::mat_study_with(settings).tilts(); };
   EXPECT_TRUE(tilts({ { "Load/Coupling", "one-way" } }));

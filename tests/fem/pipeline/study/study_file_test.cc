@@ -139,7 +139,7 @@ TEST(StudyFile, SuggestsExistingEntriesOnly)
     }
 }
 
-TEST(StudyFile, AcceptsAnEntryWithoutItsSectionButNotTwice)
+TEST(StudyFile, AcceptsAnEntryWithoutItsSectionUnlessItIsRepeatedOrInvalid)
 {
   const ScratchFolder scratch;
   EXPECT_EQ(read_study("", { "Mass=250 g" }).motion.orbit.mass, 0.25);
