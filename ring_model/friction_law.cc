@@ -77,8 +77,8 @@ HalfRim places_between(unsigned int n_intervals)
            Eigen::ArrayXd::Constant(n_intervals, pi / n_intervals) };
 }
 
-/// Returns Gauss rules on panels equal in y with psi = @p width sinh y (equal in psi if @p width is 0), so
-/// the points are densest at the minimum slip psi = 0. No panel is longer than @p longest in psi.
+/// Returns Gauss rules on panels of equal length in y, where psi = @p width sinh y (psi = y if @p width is
+/// 0). The points are thus densest at the minimum slip, psi = 0. No panel is longer than @p longest in psi.
 HalfRim clustered_places(double width, unsigned int n_panels, double longest)
 {
   using Rule = boost::math::quadrature::gauss<double, 20>;

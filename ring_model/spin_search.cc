@@ -153,8 +153,8 @@ private:
   }
 
   /// Returns the next spin to sample, between @p near and @p end: the @p estimate if the last sample at least
-  /// @p halved the smallest torque, otherwise the middle. Without an @p end, the step is at most 2 max(near,
-  /// first_step). Throws NoTerminalSpin at the end of the search.
+  /// halved the smallest torque (@p halved), otherwise the middle. Without an @p end, the step is at most 2
+  /// max(near, first_step). Throws NoTerminalSpin at the end of the search.
   double next(const Estimate &estimate, double near, const double *end, bool halved) const
   {
     const double reach = end ? *end : near + 2. * std::max(near, first_step * search.spin_scale);
@@ -195,7 +195,8 @@ private:
   }
 
   /// Returns true if an earlier zero than the zero at @p spin is possible: the torque does not decrease
-  /// monotonically, or its slope at the zero and its mean slope differ by more than steepness_ratio (factor).
+  /// monotonically, or its slope at the zero and its mean slope differ by more than the factor
+  /// steepness_ratio.
   bool needs_scan(double spin)
   {
     std::vector<DrivingTorque> way;
@@ -402,7 +403,7 @@ std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const To
                                                 const SpinSearch &search)
 {
   constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // maximum relative change of the spin with the load treated as constant
+  constexpr double nearly = 1e-7;    // maximum relative length of the last step (without a new torque)
   constexpr double of_another = 0.1; // assumed relative error of `known.slope`
   const double grip = std::copysign(search.grip_torque, known.omega);
   const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);

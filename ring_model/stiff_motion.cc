@@ -22,8 +22,8 @@ StiffMotion::StiffMotion(PhasedTorqueFunction torque, double yaw_inertia, double
 
 bool StiffMotion::is_stiff(const YawSample &start, double end, std::size_t n_times) const
 {
-  // An implicit step costs about 30 torque evaluations; explicit steps need about two evaluations per time
-  // constant to remain stable.
+  // Number of time constants per output above which implicit steps are cheaper: an implicit step costs about
+  // 30 torque evaluations, and stable explicit steps need about two evaluations per time constant.
   constexpr double min_time_constants = 20.;
   // The torque may jump at spin 0, so the slope is taken on the side towards which the glass turns.
   YawSample beside = start;

@@ -24,7 +24,8 @@ namespace
 using YawState = std::array<double, 2>;
 
 /// Motion of a glass braked by the fingers. Their friction jumps at omega = 0, so the integration stops
-/// there. The glass then rests until the free torque exceeds the grip, or turns back at once.
+/// there. The glass then rests until the torque without the grip exceeds the grip torque, or turns back at
+/// once.
 class GrippedMotion
 {
 public:

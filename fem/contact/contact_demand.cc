@@ -13,7 +13,8 @@ namespace stemware::fem
 namespace
 {
 
-/// Returns the value of @p function for a unit force on each ring at the azimuth with @p cosine and @p sine.
+/// Returns one value per ring: @p function of a unit force on this ring. The force acts at the azimuth that
+/// is given by its @p cosine and @p sine.
 Eigen::VectorXd ring_values(const ring::LoadFunctional &function, double cosine, double sine)
 {
   Eigen::ArrayXd sum = function.a.row(0).transpose() / 2;

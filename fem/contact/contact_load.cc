@@ -19,7 +19,7 @@ namespace
 using ring::pi;
 
 /// Fourier sums and moments of point forces on rings. Consecutive points on the same azimuth line are summed
-/// first, because each line needs one evaluation of cos n theta and sin n theta only.
+/// first, so that cos n theta and sin n theta are evaluated only once per line.
 class AzimuthSums
 {
 public:
@@ -172,7 +172,8 @@ const Eigen::VectorXd &RingWeights::at(double radius) const
     shares(static_cast<Eigen::Index>(k)) *= outside;
     outside *= (radius - radii[k]) * per_unit;
   }
-  // Lagrange polynomials amplify rounding far outside the rings. Linear weights give exact force and moment.
+  // Far outside the rings, Lagrange polynomials would amplify rounding errors. Linear weights, which also
+  // give exact force and moment, replace them there.
   constexpr double max_extrapolation = 1e6;
   const bool is_between = radius >= radii.front() && radius <= radii.back();
   if (!is_between && radii.size() > 2 && shares.lpNorm<1>() > max_extrapolation)

@@ -150,9 +150,9 @@ std::optional<double> reach_of_upright_edge(double last, double before, double s
   return 2 * q0 / (linear + std::sqrt(discriminant));
 }
 
-/// Returns the radius beyond the loaded point @p i of a cut at which the pressure vanishes: by
-/// reach_of_upright_edge() from three equally spaced loaded points, by linear extrapolation from two, and
-/// half a spacing beyond a single one.
+/// Returns the radius beyond the loaded point @p i of a cut at which the pressure vanishes. The pressure is
+/// extrapolated by reach_of_upright_edge() from three equally spaced loaded points, or linearly from two. For
+/// a single loaded point, the radius lies half a spacing beyond this point.
 double edge_beyond(const std::vector<PressurePoint> &cut, std::size_t i, bool outwards)
 {
   if (i == (outwards ? cut.size() - 1 : 0))

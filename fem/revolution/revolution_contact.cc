@@ -39,7 +39,8 @@ struct Path
     share = next;
   }
 
-  /// Returns true if the last step tilted the foot over three times as much per moment as the average step.
+  /// Returns true if the tilt of the foot per moment was more than three times as large in the last step as
+  /// on average.
   bool is_steep() const
   {
     constexpr double much_steeper = 3;
@@ -89,9 +90,10 @@ ContactSolution continue_in_moment(BodyOfRevolution &body, TableLaw &law, const 
   return path.last;
 }
 
-/// Stiffening factors of one step of a cold start. Most cold starts converge with the larger factor.
+/// Stiffening factors of the interface in one step of a cold start. Most cold starts converge with the larger
+/// factor.
 constexpr double large_stiffening = 1000, small_stiffening = 10;
-/// Softening factor if the initial guess is a distant contact solution.
+/// Softening factor of the interface if the initial guess is a distant contact solution.
 constexpr double softening_of_start = 30;
 
 } // namespace

@@ -46,8 +46,8 @@ SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
 
 struct FootNumbers
 {
-  /// On a mesh with coarser levels, a spring approximates a hard interface. Ratio of the foot's compliance to
-  /// the spring's compliance; the body of revolution uses the same ratio.
+  /// Ratio of the foot's compliance to the compliance of the spring that approximates a hard interface on a
+  /// mesh with coarser levels. The body of revolution uses the same ratio.
   double hardness = 1000;
   /// Softening factor of the spring per coarser mesh. From one mesh to the next, Newton's method then needs
   /// only a few steps.

@@ -141,7 +141,7 @@ public:
   bool has_cells() const { return !cells.empty(); }
 
   /// Returns the text of the .vtu file. Memory is reserved for uncompressed numbers, because a growing string
-  /// would keep its old and a doubled buffer while it copies.
+  /// would hold its old buffer and a buffer of twice the size while it copies.
   std::string vtu_text()
   {
     constexpr std::size_t n_bytes_a_node = 200, n_cells_a_piece = 2000;

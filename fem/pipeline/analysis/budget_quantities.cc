@@ -133,7 +133,8 @@ std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double ro
     return {};
   const double smallest = std::max(rows.back().band.value_or(0), rounding),
                torque_at_rest = std::abs(rows.back().torques[0].value_or(0));
-  // Small steps are omitted, so the difference of a row refers to the last row in `shown`.
+  // Rows of harmonics with a small difference are omitted, so the other differences are computed again, from
+  // the last row in `shown`.
   std::vector<BudgetRow> shown;
   for (BudgetRow row : rows)
   {

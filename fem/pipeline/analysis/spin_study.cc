@@ -103,8 +103,8 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
     // Beyond the spins at which the load is sampled, the curve would need as many contact solves as the
-    // search for the terminal spin. The curve ends at the last sampled spin if this exceeds 1.1 times the
-    // terminal spin.
+    // search for the terminal spin. The curve ends at the last sampled spin if that spin exceeds 1.1 times
+    // the terminal spin.
     constexpr double beyond = 1.1;
     const auto [lower, upper] = phases->polynomial_range(all.last_spin().value_or(0));
     const double terminal = all.last_spin().value_or(0), end = std::clamp(last, lower, upper);

@@ -51,8 +51,8 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
     report.fields = foot.body().fields(report.at_rest);
   if (is_collective || !is_first_rank())
     return;
-  // The azimuth of the section points away from the centre of the orbit. On a counter-clockwise orbit, the
-  // centre is to the left of the direction of travel.
+  // The section is on the side of the foot away from the centre of the orbit. On a counter-clockwise orbit,
+  // the centre is to the left of the direction of travel.
   report.stressed_section =
     foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * ring::pi / 2);
   if (report.at_end)

@@ -164,7 +164,8 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
   at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Results from coarse sampling are given without an error band, so the allowed error is below the default.
+  // Results of coarse sampling have no error band that would show a sampling error. The allowed sampling
+  // error is therefore below the default.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);

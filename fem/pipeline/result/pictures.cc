@@ -48,8 +48,8 @@ Json measures_of(const fem::PressureMap &footprint, double pascals, double peak,
            { "has_edge", footprint.has_edge } };
 }
 
-/// Returns the friction torque about the axis per angle at @p place, divided by the radius and by the
-/// friction force per angle under the mean load.
+/// Returns the friction torque per angle at @p place, divided by the product of the radius and the friction
+/// force per angle under the mean load.
 double torque_of(const ring::RimSlip &place)
 {
   return place.friction_y * std::cos(place.azimuth) - place.friction_x * std::sin(place.azimuth);

@@ -130,7 +130,8 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
   return fields.table(rows, Face::page);
 }
 
-/// Returns the entries, and the quantities with one value per case (null if missing).
+/// Returns the varied entries with their values, and the values of each quantity: one per case, null if
+/// missing.
 Json grid_of(const CaseList &list, const FinishedCases &finished)
 {
   Json grid = { { "entries", Json::array() }, { "quantities", Json::object() } };

@@ -20,8 +20,8 @@ namespace
 /// Unknowns per cell of linear elements: 1.5 nodes per cell in a generated mesh, which is a few cells thick.
 constexpr double unknowns_per_cell = 4.5;
 
-/// Adds the memory of a dense system (harmonics times points across the land), of the state on all lines, and
-/// of several factorised meridional problems.
+/// Adds the memory of a dense system (unknowns: harmonics times points across the land), of the state on all
+/// lines, and of several factorised meridional problems.
 void add_body_of_revolution(const Study &study, StudySize &size)
 {
   const ContactSection &contact = study.contact;
