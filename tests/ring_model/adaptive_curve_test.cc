@@ -111,7 +111,7 @@ TEST(Load, JumpIncreasesTheStatedErrorAndTakesAtMost80Samples)
   EXPECT_GT(curve.interpolation_error().value(), jump / 10);
   for (const double omega : { -3.3, -2.1, -1.3, 0.1 })
     EXPECT_LT(curve.at(omega).difference(jumping(omega)), 1e-3 * jump) << omega;
-  EXPECT_LE(n_solved, 80 + 3 + 4u); // 80 on the curve, 3 at rest and at both ends, 4 as references
+  EXPECT_LE(n_solved, 80 + 3 + 4u); // 80 on the curve, 3 at rest and at both ends, 4 in the loop above
 }
 
 TEST(Load, InterpolatesWithFewerSamplesNextToASimilarLoad)

@@ -131,7 +131,7 @@ TEST(TerminalSpin, UprightSlidingIsUnstableBetweenTwoStableSpinsUnderAPartlyTens
   expect_relative(damping, 0.5 - 0.9 * 0.9, 1e-6, "damping");
 }
 
-TEST(TerminalSpin, RefusesTorquesWithoutAZeroAndInvalidArguments)
+TEST(TerminalSpin, DoesNotExistWithoutATorqueZeroAndInvalidArgumentsAreRefused)
 {
   EXPECT_THROW(terminal_spin([](double) { return 1.; }, 1., { 1. }), std::runtime_error);
   EXPECT_TRUE(all_terminal_spins([](double) { return 1.; }, 1., 1., -1., 1.).empty());

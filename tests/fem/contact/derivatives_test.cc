@@ -172,8 +172,8 @@ TEST(Derivatives, ConditionsEqualTheMomentBalance)
       }
     }
     const auto friction = stemware::ring::coulomb_wrench(0.3, stemware::ring::RingStack(rings), -4., 0.35);
-    // Balance: moment = (moment_x, moment_y) + 0.05 m e_z x T + tilt_moment (-q2, q1), with the friction
-    // force T and the tilts q1, q2 of `motion`. The conditions have the order (normal force, -M_y, M_x).
+    // Balance: moment = (moment_x, moment_y) + 0.05 e_z x T + tilt_moment (-q2, q1), with the arm 0.05 m, the
+    // friction force T and the tilts q1, q2 of `motion`. Order of the conditions: normal force, -M_y, M_x.
     const Eigen::Vector2d unbalanced = moment - Eigen::Vector2d(demand.moment_x, demand.moment_y) -
                                        0.05 * Eigen::Vector2d(-friction.force_y, friction.force_x) -
                                        demand.tilt_moment * Eigen::Vector2d(-motion(2), motion(1));

@@ -93,8 +93,8 @@ TEST(Footprint, MeanIsFiniteForASingleLoadedPointAndNanWithoutLoad)
                                         c < 18 ? (i >= 16 ? 6e4 : 0.) : (c == 30 && i == 32 ? 6e4 : 0.) });
   }
   const FootprintMeasures measures = measures_of(footprint);
-  EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5,
-              300); // the pressure falls to zero within half an interval
+  // The loaded width is 16.5 intervals. In the last half interval, the pressure falls linearly to zero.
+  EXPECT_NEAR(measures.mean, 6e4 * 16.25 / 16.5, 300);
   EXPECT_EQ(measures.narrowest, 0);
   EXPECT_NEAR(measures.widest, 426e-6, 1e-6);
   const auto cuts = loaded_cuts(footprint);

@@ -98,8 +98,7 @@ TEST(Executor, RethrowsAnExceptionAndStartsNoMoreCalls)
 
 TEST(Executor, AThreadStartsNoOtherOuterCallWhileItWaitsForItsInnerLoop)
 {
-  // A thread that waits for its inner loop must not start another outer call. Without task isolation, some
-  // threads would do so.
+  // Without task isolation, some threads would start another outer call.
   constexpr std::size_t n_outer = 200, n_inner = 8;
   thread_local bool at_work = false;
   std::atomic<std::size_t> n_mixed = 0, n_done = 0;

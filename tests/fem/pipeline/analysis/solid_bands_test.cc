@@ -1,5 +1,5 @@
-// References: a refined body of revolution with its own error bands, and a rigid plate without rotational
-// symmetry. Runs with MPI.
+// References: a refined body of revolution with its own error bands; LiftedSquare for a rigid plate, which
+// has no rotational symmetry. Runs with MPI.
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"

@@ -53,13 +53,14 @@ TEST(Truncate, RowsAgreeWithTheTruncationRowsOfTheCommandRun)
 
 TEST(Truncate, SpinsOfTheFirstHarmonicAndOfAllHarmonicsAgreeWithReferences)
 {
-  // Reference: independent program with contact and friction in balance at every spin.
+  // Reference for all harmonics: independent program with contact and friction in balance at every spin.
   const double omega = -3.6490;
   const Json &rows = truncated_glass()["truncation"];
   EXPECT_NEAR(number(rows.back(), "omega_terminal"), omega, 2e-4);
   for (const char *key : { "relative_change", "bound" })
     EXPECT_EQ(number(rows.back(), key), 0) << key;
-  // Reference: ring of the contact radius. The tolerance allows for contact at slightly different radii.
+  // Reference for the first harmonic: ring of the contact radius. The tolerance allows for contact at
+  // slightly different radii.
   EXPECT_NEAR(number(rows[0], "omega_terminal"), -3.67874799852576, 1e-3);
 }
 

@@ -112,7 +112,7 @@ TEST(PhaseSampledLoad, InterpolatesWithinTwiceTheStatedError)
           off, std::abs(torque(loads.at(omega, phase), eps) - torque(made_up_load(omega, phase), eps)));
   EXPECT_LE(off, 2 * loads.error().between);
   EXPECT_LE(loads.error().between, 1e-3);
-  // Rest and four intervals of at least three spins are sampled; one interval needs more spins.
+  // Rest and at least three spins in each of four intervals are sampled; one interval needs more spins.
   EXPECT_GT(loads.n_spins(), 1u + 4u * 3u);
 }
 
