@@ -135,7 +135,7 @@ TEST_P(DifficultContact, ConvergesUnderEveryMoment)
   setup.friction_coefficient = study.friction_coefficient;
   setup.meridian.degree = study.degree;
   MeshedRevolutionFoot foot(setup.resolved_for(force));
-  // Two rings can represent any moment.
+  // The projection onto two rings preserves force and moment exactly.
   const double radius = study.profile.contact_radius;
   const std::vector<double> rings = { 0.95 * radius, 1.05 * radius };
   for (const double m : study.moment_ratios)

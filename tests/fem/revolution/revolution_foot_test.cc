@@ -12,7 +12,7 @@ using namespace stemware::revolution_tests;
 /// Reference: Hertz ellipse with the semi-axes b and k b under the force P, for radii of curvature R_x
 /// (across) and R_y (along). R_y / R_x = (k^2 E - K) / (K - E) and b^3 = 3 P E R' / (pi k E*), with 1 / R' =
 /// 1 / R_x + 1 / R_y, the plane-strain modulus E* and the complete elliptic integrals K and E.
-TEST(HardTable, CrestWidthAgreesWithHertzAndIsAveragedWithTheWidthOfAnEvenRim)
+TEST(HardTable, CrestWidthAgreesWithHertzAndExpectedWidthIsAGeometricMean)
 {
   constexpr double slenderness = 300;
   constexpr int n_points = 100000;
