@@ -148,7 +148,8 @@ ContactSolution RevolutionContact::solve_cold(const LinearConditions &under, dou
   at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
   at.normal_displacement = surface.motion_modes() * at.motion;
 
-  // The foot moves mostly as a rigid body, so its rigid displacement is added to the table motion.
+  // Under the table's forces on the rigid foot, the elastic foot moves mostly as a rigid body. This motion is
+  // subtracted from the table motion, because at.normal_displacement is the sum of both.
   ContactForces rigid;
   soft_law->evaluate(at.normal_displacement, rigid);
   body.set_forces(rigid.forces);

@@ -56,8 +56,8 @@ struct FootNumbers
   /// their updates. With a penalty of 1, one update halves the error of the highest modes; with 10, a tenth
   /// remains. With 100, the linear solves need more additional iterations than the fewer updates save.
   double penalty = 10, reduction = 0.1;
-  /// Ratio of the tolerances of consecutive multiplier solves, about the fraction of the error that remains
-  /// after one update.
+  /// Ratio of the tolerances of consecutive multiplier solves, about the fraction of the multipliers' error
+  /// that remains after one update.
   double tighter = 0.02;
   /// Maximum number of Newton steps with multipliers, which is large because each step has a loose tolerance.
   unsigned int max_steps = 300;

@@ -50,8 +50,8 @@ bool brakes_beyond(double omega, const Load &load, const Motion &motion)
 }
 
 /// Returns the range of spins in which friction may drive the glass. It ends at 1.5 v / R if, in at least one
-/// direction, the balance exists up to 1.05 v / R and friction does not brake at all higher spins.
-/// Otherwise it ends at 1.05 v / R.
+/// direction, the balance exists up to 1.05 v / R and brakes_beyond() is false at this spin. Otherwise it
+/// ends at 1.05 v / R.
 Reach reach_of(const Load &load, const Motion &motion)
 {
   const double unit = load.spin_scale(motion);

@@ -91,9 +91,9 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
   }
 }
 
-/// Adds changes to three and four times the contact lines. If the load ends between two lines, the error has
-/// either sign, depending on the distance from the contact edge to the next line. A single change could
-/// therefore vanish by chance.
+/// Adds two changes: four times and three times as many contact lines. If the load ends between two lines,
+/// the error has either sign, depending on the distance from the contact edge to the next line. A single
+/// change could therefore vanish by chance.
 void add_lines(const Variant &own, const std::function<void(Variant &, unsigned int factor)> &multiply,
                std::vector<BandChange> &changes)
 {
