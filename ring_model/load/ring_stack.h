@@ -7,7 +7,7 @@
 
 namespace stemware::ring
 {
-/// Normal load on the table: J concentric rings at radii r_j, each with
+/// Normal load on the table as a sum of J concentric rings at radii r_j. Each ring has the line load
 ///
 ///   lambda_j(theta) = a_{j,0} + sum_{n>=1} (a_{j,n} cos n theta + b_{j,n} sin n theta)   [N/rad],
 ///
