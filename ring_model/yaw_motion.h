@@ -55,7 +55,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
 struct LongTimeSpin
 {
   double mean;        ///< [rad/s]
-  double ripple;      ///< half the largest minus the smallest spin [rad/s]
+  double ripple;      ///< half the difference between the largest and the smallest spin [rad/s]
   double uncertainty; ///< change of the mean from one window to the next [rad/s]
 };
 

@@ -16,7 +16,7 @@
 using stemware::ring::pi;
 using namespace stemware::fem;
 
-TEST(HardLayer, SettlementOfARigidRingAgreesWithThatOfAStrip)
+TEST(HardLayer, SettlementOfARigidRingAgreesWithTheSettlementOfAStrip)
 {
   std::ifstream file(STEMWARE_STRIP_ON_A_LAYER);
   const auto cases = nlohmann::json::parse(file)["cases"];
