@@ -1,6 +1,7 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
 #include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/coupling/foot_load.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/hand_drive.h"
@@ -21,19 +22,41 @@ double half_range(const std::vector<double> &values)
   return (*most - *least) / 2;
 }
 
-PhaseStudy study_phases(const ring::PhaseSampledLoad &loads, const PhaseExtremes &at_rest,
-                        const ring::Motion &motion, const ring::Answer &row)
+/// Returns the pointwise minimum [N/rad] of the contact at the spin @p omega [rad/s], solved at the phase at
+/// which the interpolated load is least.
+double least_load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
+                              const ring::PhaseSampledLoad &loads, double omega)
 {
+  constexpr unsigned int n_phases = 64; // enough to be close to the least phase of a few sampled ones
+  ring::PhaseGrids grids = loads.phases();
+  while (grids.size() > 1 && grids.size() < n_phases)
+    for (const ring::PhaseGrids::Angle angle : { &ring::PhaseGrids::glass, &ring::PhaseGrids::table })
+      if ((grids.*angle).size() > 1)
+        grids.*angle = (grids.*angle).refined();
+  std::vector<double> minima;
+  for (unsigned int i = 0; i < grids.size(); ++i)
+    minima.push_back(loads.at(omega, grids.phase(i)).minimum());
+  const auto least = std::min_element(minima.begin(), minima.end());
+  const auto phase = grids.phase(static_cast<unsigned int>(least - minima.begin()));
+  return find_load_at_phase(study, foot, phase).contact(omega).value().load.least;
+}
+
+PhaseStudy study_phases(const Study &of_study, const std::shared_ptr<ElasticFoot> &foot,
+                        const BalancedLoad &load, const ring::Answer &row)
+{
+  const ring::PhaseSampledLoad &loads = *load.phases();
+  const ring::Motion &motion = of_study.motion.orbit;
   PhaseStudy study;
   study.spin_ripple = row.ripple;
   study.spin_uncertainty = row.spin_uncertainty;
   study.zero_of_mean_torque = row.zero_of_mean_torque;
-  study.least_load = at_rest.least_load;
+  const double at_rest = least_load_over_phases(of_study, foot, loads, 0);
+  study.least_load = at_rest;
   if (row.omega_terminal())
-    for (const ring::RingStack &rings : loads.samples(*row.omega_terminal()))
-      study.least_load = std::min(study.least_load, std::max(0., rings.minimum()));
-  study.least_load_is_at_rest = study.least_load >= at_rest.least_load;
-  study.least_contact_fraction = at_rest.least_contact_fraction;
+    study.least_load =
+      std::min(at_rest, least_load_over_phases(of_study, foot, loads, *row.omega_terminal()));
+  study.least_load_is_at_rest = study.least_load >= at_rest;
+  study.least_contact_fraction = load.report().least_contact_fraction.value();
   study.n_glass_phases = loads.phases().glass.size();
   study.n_table_phases = loads.phases().table.size();
   study.n_spins = loads.n_spins();
@@ -248,8 +271,7 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases =
-      study_phases(*load.phases(), load.report().over_phases.value(), study.motion.orbit, result.answer());
+    result.phases = study_phases(study, foot, load, result.answer());
   for (const LoadedRow &other : solved.others)
     if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = compared_with_full(other.row, result.answer());

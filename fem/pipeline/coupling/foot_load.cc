@@ -179,12 +179,9 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
     spins.max_samples = is_coarse ? 5 : 9;
   if (is_coarse)
     spins.max_intervals = 2;
-  PhaseExtremes &worst = report.over_phases.emplace(PhaseExtremes{ report.minimum, report.contact_fraction });
+  double &least = report.least_contact_fraction.emplace(report.contact_fraction);
   for (const auto &[phase, load] : *by_phase)
-  {
-    worst.least_load = std::min(worst.least_load, load.report().minimum);
-    worst.least_contact_fraction = std::min(worst.least_contact_fraction, load.report().contact_fraction);
-  }
+    least = std::min(least, load.report().contact_fraction);
   return { ring::Load(std::make_shared<ring::PhaseSampledLoad>(exact, periods, samples, spins)), report,
            std::make_shared<BalancedContact>(foot, balance, at_rest, progress) };
 }

@@ -12,13 +12,6 @@
 namespace stemware::pipeline
 {
 
-/// Extremes at rest over all sampled phases.
-struct PhaseExtremes
-{
-  double least_load = 0;             ///< LoadReport::minimum
-  double least_contact_fraction = 0; ///< LoadReport::contact_fraction
-};
-
 /// Load on the rings, with resultants and extent of the contact.
 struct LoadReport
 {
@@ -39,7 +32,8 @@ struct LoadReport
   std::optional<double> contact_width = {};
   /// Load on the contact's lines, sorted by azimuth in [0, 2 pi); empty without a contact.
   std::vector<fem::AzimuthLoad> pointwise = {};
-  std::optional<PhaseExtremes> over_phases = {}; ///< for loads that depend on the phase
+  /// Minimum of contact_fraction over the sampled phases; empty for a load independent of the phase.
+  std::optional<double> least_contact_fraction = {};
 
   /// Returns the half-width of the loaded range of radii [m].
   double half_width() const { return (outer_radius - inner_radius) / 2; }

@@ -215,7 +215,7 @@ const Fields<PhaseStudy> &waviness_fields()
     { "zero_of_mean_torque", "rad/s", "Zero of the mean torque.", &Phases::zero_of_mean_torque },
     { "torque_ripple", "N m", "Amplitude of the torque over the phases.", &Phases::torque_ripple },
     { "least_load", "N/rad",
-      "Minimum load over all phases, at rest and, of the harmonics, at the terminal spin.",
+      "Minimum of the pointwise load over all phases, at rest and at the terminal spin.",
       &Phases::least_load },
     { "least_load_state", "", "State of least_load: \"at rest\" or \"at the terminal spin\".",
       [](const Phases &phases)

@@ -1,6 +1,8 @@
 // Rigid foot on a Winkler mat. Reference: quadrature in two dimensions by independent code
 // (tests/verification/rigid_foot.py, plain_rigid_foot.h).
 #include "fem/pipeline/analysis/error_bands.h"
+#include "fem/pipeline/analysis/spin_study.h"
+#include "fem/pipeline/analysis/threaded_executor.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/spin/answer.h"
@@ -11,7 +13,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -290,6 +294,43 @@ TEST(RigidFoot, WavyFootAgreesWithSumsOverPointsAtEveryPhase)
       largest_lean = std::max(largest_lean, std::abs(lean));
     }
   EXPECT_GT(largest_lean, 1e-7 * scale);
+}
+
+/// Returns the smallest sum of forces per azimuth over all azimuths and 32 phases [N/rad].
+double least_load_of(WavyFoot &foot, double omega)
+{
+  foot.plain.n_azimuths = 360;
+  double least = std::numeric_limits<double>::infinity();
+  for (unsigned int i = 0; i < 32; ++i)
+  {
+    foot.turn(2 * ring::pi / WavyFoot::n_waves * i / 32);
+    std::vector<verification::PlainPoint> points;
+    foot.at(omega, &points);
+    std::vector<double> loads(foot.plain.n_azimuths, 0.);
+    for (const verification::PlainPoint &point : points)
+    {
+      const double turns = std::atan2(point.y, point.x) / (2 * ring::pi) + 1;
+      loads[std::lround(turns * foot.plain.n_azimuths) % foot.plain.n_azimuths] += point.force;
+    }
+    for (const double load : loads)
+      least = std::min(least, load * foot.plain.n_azimuths / (2 * ring::pi));
+  }
+  return least;
+}
+
+TEST(RigidFoot, LeastLoadOfAWavyFootAgreesWithSumsOverPointsAtRestAndAtTheTerminalSpin)
+{
+  WavyFoot foot;
+  const SolvedStudy solved(foot.study, test::rigid_foot());
+  fem::ComplianceCache cache;
+  const SpinStudy spin = study_spin(solved.study, solved.foot, solved.load, ThreadedExecutor(cache),
+                                    silent_progress(), Depth::answer);
+  const double at_rest = least_load_of(foot, 0);
+  const double at_terminal = least_load_of(foot, *spin.answer().omega_terminal());
+  const double mean = foot.study.motion.orbit.normal_force() / (2 * ring::pi);
+  EXPECT_GT(std::abs(at_terminal - at_rest), 5e-3 * mean);
+  EXPECT_EQ(spin.phases->least_load_is_at_rest, at_rest < at_terminal);
+  EXPECT_NEAR(spin.phases->least_load, std::min(at_rest, at_terminal), 5e-4 * mean);
 }
 
 } // namespace
