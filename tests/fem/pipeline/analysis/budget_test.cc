@@ -217,7 +217,7 @@ TEST(Truncation, FirstHarmonicOfAThinStiffRingGivesTheSpinOfTheClosedForm)
   EXPECT_NEAR(*row.omega_terminal, -3.67874799852576, 1e-4); // from docs/theory/closures.md
 }
 
-TEST(Budget, ListsAVariantWithoutEachEffectOfTheStudy)
+TEST(Budget, ListsOneVariantPerEffectThatOmitsThisEffect)
 {
   Study study = test::mat_study();
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "elasticity of the foot",

@@ -225,7 +225,8 @@ TEST(SolidBands, ContainTheErrorOfLinearElementsOnAMat)
     expect_within_both(solid, revolution, key, 30);
 }
 
-// The error band comes from a coarser mesh. Its number of cells across the land must be even: 4 instead of 6.
+// The error band comes from a mesh with half as many cells. The number of cells across the land must be even,
+// so the coarser mesh has 4 of them instead of 3.
 TEST(SolidBands, ContainTheErrorIfHalfTheNumberOfRadialCellsIsOdd)
 {
   Study study = solid_study(fem::GlassShape::foot, { 16, 6, 2 });
