@@ -55,11 +55,11 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
   // Without isolation, a thread that waits here could start another study, which could wait for this
   // compliance (deadlock).
   tbb::this_task_arena::isolate(
-    [&]
+    [&, first = first, size = size]
     {
       std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // for harmonics 0, 1, and >= 2
       tbb::parallel_for(0u, 3u,
-                        [&, first = first, size = size](unsigned int n) {
+                        [&](unsigned int n) {
                           of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);
                         });
       tbb::parallel_for(0u, options.n_harmonics + 2,

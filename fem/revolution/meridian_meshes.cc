@@ -117,7 +117,12 @@ void MeridianMeshes::refine()
   if (disc.n_levels() == 0)
     return;
   disc.execute_coarsening_and_refinement();
-  while (flag_cut_cells(foot, disc) | flag_cut_cells(disc, foot))
+  const auto flag_both = [this]
+  {
+    const bool cuts_foot = flag_cut_cells(foot, disc);
+    return flag_cut_cells(disc, foot) || cuts_foot;
+  };
+  while (flag_both())
   {
     foot.execute_coarsening_and_refinement();
     disc.execute_coarsening_and_refinement();

@@ -296,7 +296,7 @@ Field<Row>::Field(const std::string &key, const std::string &description, const 
 {
   using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
   constexpr bool has_key = !std::is_same_v<Key, std::nullptr_t>;
-  const auto json_of = [fields, by_key](const auto &found) -> Json
+  const auto json_of = [=](const auto &found) -> Json
   {
     if constexpr (!has_key)
       return fields.json(found);
