@@ -31,9 +31,9 @@ left.plot(1e3 * grip, glass["omega_terminal"], "C0o", ms=5, mfc="none", label="e
 left.set(xlabel="torque of the fingers (mN m)", ylabel="terminal spin (rad/s)")
 left.legend(fontsize=8)
 times = np.linspace(0, 2, 201)
-for g in (0, 1e-3, 2e-3, 3e-3):
-    up = ring.spin_up(rigid, times, grip_torque=g)
-    right.plot(up["time"], up["omega"], label=f"{1e3 * g:.0f} mN m")
+for torque in (0.0, 1e-3, 2e-3, 3e-3):
+    up = ring.spin_up(rigid, times, grip_torque=torque)
+    right.plot(up["time"], up["omega"], label=f"{1e3 * torque:.0f} mN m")
 right.set(xlabel="time (s)", ylabel="spin of the rigid ring (rad/s)")
 right.legend(fontsize=8)
 figure.savefig(sys.argv[1] if len(sys.argv) > 1 else "grip.svg")

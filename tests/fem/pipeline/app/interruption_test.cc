@@ -31,7 +31,8 @@ TEST(Interruption, SignalsLeaveOlderResultsUnchanged)
   write_study(scratch);
   ASSERT_EQ(RunningProgram(run_with({}), scratch.path()).end().exit_code, 0);
   const auto before = all_files(scratch / "results");
-  const auto hang_up = std::signal(SIGHUP, SIG_DFL); // under nohup, the program would inherit SIG_IGN
+  // The program would inherit SIG_IGN, which nohup sets for SIGHUP and a shell's background job for SIGINT.
+  const auto hang_up = std::signal(SIGHUP, SIG_DFL), interrupt = std::signal(SIGINT, SIG_DFL);
   for (const int signal : { SIGINT, SIGTERM, SIGHUP })
   {
     // The factorisation of the condensed solver takes so long that the signal arrives before the run ends.
@@ -43,6 +44,7 @@ TEST(Interruption, SignalsLeaveOlderResultsUnchanged)
     EXPECT_EQ(program.end().exit_code, 128 + signal);
   }
   std::signal(SIGHUP, hang_up);
+  std::signal(SIGINT, interrupt);
   EXPECT_EQ(all_files(scratch / "results"), before);
   EXPECT_EQ(names_in(scratch.path()), (std::vector<std::string>{ "results", "study.prm" }));
 }

@@ -382,7 +382,7 @@ class Manners(unittest.TestCase):
         r, theta = np.linspace(0.02, 0.03, 5), np.arange(64) * 2 * np.pi / 64
         p = 1e3 * (1 + 0.3 * np.cos(theta) + 0.1 * np.sin(2 * theta)) * np.ones((5, 1))
         with tempfile.NamedTemporaryFile("w", suffix=".csv") as file:
-            file.write("r,theta,p\n" + "".join(f"{a!r},{b!r},{p[i, k]!r}\n" for i, a in enumerate(r.tolist()) for k, b in enumerate(theta.tolist())))
+            file.write("r,theta,p\n" + "".join(f"{a!r},{b!r},{float(p[i, k])!r}\n" for i, a in enumerate(r.tolist()) for k, b in enumerate(theta.tolist())))
             file.flush()
             load = ring.stack_from_csv(file.name, n_max=4)
         np.testing.assert_allclose(load.a, ring.stack_from_pressure(r, theta, p, n_max=4).a, rtol=1e-12, atol=1e-12)
