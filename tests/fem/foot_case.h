@@ -6,6 +6,7 @@
 #include "fem/solid/solid_body.h"
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/stiffness_3d.h"
+#include "tests/fem/multiply.h"
 #include "tests/fem/reference_load.h"
 
 #include <deal.II/distributed/tria.h>
@@ -41,7 +42,7 @@ public:
   {
     vector.reinit(level.dof_handler.locally_owned_dofs(), level.dof_handler.get_communicator());
   }
-  void vmult(Vector &dst, const Vector &src) const override { stiffness.vmult(dst, src); }
+  void vmult(Vector &dst, const Vector &src) const override { multiply(stiffness, dst, src); }
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override
   {
     factors.reset(); // the factors hold a reference to `sum`

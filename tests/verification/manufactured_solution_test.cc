@@ -1,6 +1,7 @@
 // Manufactured solution: u = d cos(k . x) with the amplitude d and the wave vector k. The body force is
 // ((lambda + mu)(d . k) k + mu |k|^2 d) cos(k . x).
 #include "fem/solid/stiffness_3d.h"
+#include "tests/fem/multiply.h"
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_tools.h>
@@ -85,7 +86,7 @@ double l2_error(unsigned int degree, unsigned int n)
   assemble_stiffness(mapping, dof_handler, material, none, free_stiffness);
   assemble_stiffness(mapping, dof_handler, material, held, stiffness);
   VectorTools::create_right_hand_side(mapping, dof_handler, QGauss<3>(degree + 1), BodyForce(), missing);
-  free_stiffness.vmult(rhs, solution);
+  stemware::fem_tests::multiply(free_stiffness, rhs, solution);
   rhs.sadd(-1, 1, missing);
   held.set_zero(rhs);
   SolverControl control;

@@ -71,7 +71,7 @@ void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refineme
     from(i) = static_cast<Number>(value);
     predict_from(i) = value;
   }
-  matrix.vmult(expected_to, predict_from);
+  multiply(matrix, expected_to, predict_from);
   stiffness->vmult(to, from);
   stiffness->compute_diagonal(diagonal);
   const double scale = expected_to.linfty_norm();
