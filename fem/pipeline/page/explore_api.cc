@@ -87,7 +87,7 @@ Json answer_document(const LiveAnswer &found)
     if (const ring::RingState *first_n = found.truncated ? end_of(*found.truncated) : nullptr)
       summary["first_n"]["load"] = series_summary(first_n->load);
     add_load_lines(report, results);
-    add_motion(study, { { 0, found.full.last_spin().value_or(0), 0, *end } }, results);
+    add_motion(study, { { { 0, found.full.last_spin().value_or(0), 0 }, *end } }, results);
     results.words["sketch"]["clockwise"] = study.motion.orbit.sense_sign() < 0;
     results.words["spin_unit"] = study.spin_unit();
     results.words["rounding"] = study.rounding_of_spins();
