@@ -61,11 +61,11 @@ public:
     return max(part.size() > 0 ? double(part.maxCoeff()) : -std::numeric_limits<double>::infinity());
   }
 
-  std::vector<double> gather(std::vector<double> values) const
+  std::vector<double> gather(const std::vector<double> &values) const
   {
     return exchange ? exchange->gather(values, false) : values;
   }
-  std::vector<double> all_gather(std::vector<double> values) const
+  std::vector<double> all_gather(const std::vector<double> &values) const
   {
     return exchange ? exchange->gather(values, true) : values;
   }
