@@ -5,6 +5,7 @@ dask workers, or MPI ranks, here all on this machine.
     mpiexec -n 3 python3 -m mpi4py.futures docs/python/executors.py map.svg mpi
 """
 import contextlib
+import logging
 import sys
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
@@ -23,7 +24,9 @@ def executor_named(kind):
             yield executor
     elif kind == "dask":  # for a scheduler on another machine: Client("tcp://...")
         from distributed import Client, LocalCluster
-        with LocalCluster(2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None) as cluster, Client(cluster) as client:
+        # Only errors are logged: on a busy machine, dask warns of workers that end slowly.
+        with LocalCluster(2, threads_per_worker=1, host="127.0.0.1", dashboard_address=None,
+                          silence_logs=logging.ERROR) as cluster, Client(cluster) as client:
             yield client.get_executor()
     elif kind == "mpi":
         from mpi4py.futures import MPIPoolExecutor
