@@ -224,7 +224,7 @@ std::vector<Eigen::MatrixXd> LineNewton::sums_on_lines(const LinearConditions &c
 {
   const Eigen::Index p = smooth.values.cols(), n_lines = response.n_lines(), n_kinds = this->n_kinds();
   std::vector<Eigen::MatrixXd> sums(n_kinds, Eigen::MatrixXd::Zero(p * (p + 4), n_lines));
-  sums.push_back(Eigen::MatrixXd::Zero(3 * (p + 4), n_lines));
+  sums.emplace_back(Eigen::MatrixXd::Zero(3 * (p + 4), n_lines));
   for (const Bundle &bundle : bundles)
   {
     const LaneTable tests = tested(bundle, conditions.weights());

@@ -151,7 +151,7 @@ std::shared_ptr<const ContactCompliance> compliance_of(const RevolutionSetup &se
                                                        const MeridianMeshes &meshes,
                                                        const MeridianOptions &options, ComplianceCache &cache)
 {
-  auto foot = cache.get(meshes.foot, setup.material, options);
+  const auto foot = cache.get(meshes.foot, setup.material, options);
   if (!setup.table.substrate && !setup.foot_is_rigid && setup.friction_in_foot)
     return foot;
   const auto disc =

@@ -231,7 +231,7 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
   const Eigen::VectorXd forces_before = body.forces().reshaped();
   std::vector<std::function<ContactSolution()>> attempts;
   if (starts.predicted)
-    attempts.push_back(
+    attempts.emplace_back(
       [&]
       {
         if (starts.predicted->forces.size() > 0)
@@ -247,7 +247,7 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
   for (const bool softened : { false, true })
     for (std::size_t i = 0; i < starts.previous.size(); ++i)
       if (softened ? !on_hard_crests : may_start_unsoftened && !is_predicted(starts.previous[i]))
-        attempts.push_back(
+        attempts.emplace_back(
           [&, softened, i]
           {
             const ContactSolution solution =
@@ -256,7 +256,7 @@ ContactSolution RevolutionContact::solve(const RevolutionGuesses &starts)
             return solution;
           });
   for (const double largest_step : { large_stiffening, small_stiffening })
-    attempts.push_back([&, largest_step] { return solve_cold(conditions, largest_step); });
+    attempts.emplace_back([&, largest_step] { return solve_cold(conditions, largest_step); });
   for (const auto &attempt : attempts)
     try
     {

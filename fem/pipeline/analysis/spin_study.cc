@@ -90,7 +90,6 @@ ring::Answer compared_with_full(ring::Answer one_ring, const ring::Answer &all)
 std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
 {
   std::vector<double> spins;
-  spins.reserve(samples.size());
   for (const ring::YawSample &sample : samples)
     spins.push_back(sample.omega);
   return spins;

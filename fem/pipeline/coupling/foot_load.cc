@@ -103,7 +103,7 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
 {
   balance.orientation = at_rest.slip.orientation;
   const auto contacts = std::make_shared<BalancedContact>(foot, balance, at_rest, progress);
-  ring::Sample of_rest = contacts->sample(0);
+  const ring::Sample of_rest = contacts->sample(0);
   return { balance.varies_with_spin
              ? ring::Load::solved_once([contacts](double omega) { return contacts->sample(omega); }, of_rest)
              : ring::Load([of_rest](double) { return of_rest; }, true),
