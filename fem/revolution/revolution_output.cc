@@ -216,7 +216,7 @@ private:
           node.is_contact |= face != numbers::invalid_unsigned_int && grid.is_on_face(grid.index(i, j), face);
           of_grid.push_back(place);
         }
-      grids.emplace_back(std::move(grid), std::move(of_grid));
+      grids.emplace_back(grid, std::move(of_grid));
     }
   }
 

@@ -271,7 +271,7 @@ ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, Cont
 }
 
 ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &slip,
-                                 const ContactState *before, ContactControl control) const
+                                 const ContactState *before, const ContactControl &control) const
 {
   const double radius = setup.profile.contact_radius;
   const LinearConditions conditions = conditions_of(body->contact_surface(), demand);

@@ -107,7 +107,7 @@ private:
   ContactSolution find_contact(const LinearConditions &conditions, ContactControl control,
                                std::optional<ContactStart> start) const;
   ContactSolution press(const ContactDemand &demand, const ring::Slip &slip, const ContactState *before,
-                        ContactControl control) const;
+                        const ContactControl &control) const;
 
   const SolidSetup setup;
   const SolidMesh mesh;
