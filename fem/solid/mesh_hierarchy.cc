@@ -84,7 +84,7 @@ struct MeshHierarchy::Cycle
     {
       ContactInterpolation found = interpolation_between(elements(l - 1), elements(l), *contact_nodes[l]);
       contact_nodes[l - 1] = std::move(found.coarse_nodes);
-      interpolations[l] = std::move(found.matrix);
+      interpolations[l] = found.matrix;
     }
   }
 
