@@ -158,6 +158,8 @@ Study begin_study(const StudyOptions &options)
     print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);
     print_note("Memory    ", memory_note(study));
   }
+  // Also checked before MPI starts, because MPI prints its own messages if it lacks memory.
+  require_memory_left(study, n_threads_of(options));
   prepare_foot_of(study);
   require_memory_left(study, n_threads_of(options));
   return study;
