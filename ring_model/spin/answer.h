@@ -87,8 +87,8 @@ struct Answer
 
   std::optional<RingState> at_rest;
   std::optional<TerminalSpin> terminal; ///< with phases: the mean spin after the transient
-  double ripple =
-    0.; ///< half the difference between the largest and the smallest spin after the transient [rad/s]
+  /// Half the difference between the largest and the smallest spin after the transient [rad/s].
+  double ripple = 0.;
   /// Uncertainty of the mean spin after the transient [rad/s]: of the average, of the mean of the sampled
   /// loads, and of the loads between samples weighted by the ripple.
   double spin_uncertainty = 0.;

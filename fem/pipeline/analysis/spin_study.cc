@@ -27,7 +27,7 @@ double half_range(const std::vector<double> &values)
 double least_load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                               const ring::PhaseSampledLoad &loads, double omega)
 {
-  constexpr unsigned int n_phases = 64; // enough to be close to the least phase of a few sampled ones
+  constexpr unsigned int n_phases = 64; // the sampled phases, often 8, may miss the least load
   ring::PhaseGrids grids = loads.phases();
   while (grids.size() > 1 && grids.size() < n_phases)
     for (const ring::PhaseGrids::Angle angle : { &ring::PhaseGrids::glass, &ring::PhaseGrids::table })

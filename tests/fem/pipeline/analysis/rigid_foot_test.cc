@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -296,24 +295,21 @@ TEST(RigidFoot, WavyFootAgreesWithSumsOverPointsAtEveryPhase)
   EXPECT_GT(largest_lean, 1e-7 * scale);
 }
 
-/// Returns the smallest sum of forces per azimuth over all azimuths and 32 phases [N/rad].
+/// Returns the smallest load of all azimuths and 32 phases [N/rad] in full contact, where each azimuth has
+/// equally many points, one after the other.
 double least_load_of(WavyFoot &foot, double omega)
 {
   foot.plain.n_azimuths = 360;
-  double least = std::numeric_limits<double>::infinity();
+  double least = foot.study.motion.orbit.normal_force(); // above every minimum
   for (unsigned int i = 0; i < 32; ++i)
   {
     foot.turn(2 * ring::pi / WavyFoot::n_waves * i / 32);
     std::vector<verification::PlainPoint> points;
     foot.at(omega, &points);
     std::vector<double> loads(foot.plain.n_azimuths, 0.);
-    for (const verification::PlainPoint &point : points)
-    {
-      const double turns = std::atan2(point.y, point.x) / (2 * ring::pi) + 1;
-      loads[std::lround(turns * foot.plain.n_azimuths) % foot.plain.n_azimuths] += point.force;
-    }
-    for (const double load : loads)
-      least = std::min(least, load * foot.plain.n_azimuths / (2 * ring::pi));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      loads[i * loads.size() / points.size()] += points[i].force * foot.plain.n_azimuths / (2 * ring::pi);
+    least = std::min(least, *std::min_element(loads.begin(), loads.end()));
   }
   return least;
 }
