@@ -63,7 +63,7 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
 }
 
 /// Relative change of the contact tangent above which the preconditioner is set up again.
-constexpr double tolerated_change = 0.6;
+constexpr double tolerated_change = 0.1;
 
 /// Returns the three translations and three rotations at the owned dofs of linear elements, one motion after
 /// the other; 0 at constrained dofs. (deal.II 9.6 has DoFTools::extract_rigid_body_modes().)
