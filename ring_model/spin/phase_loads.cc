@@ -15,9 +15,8 @@ namespace stemware::ring
 namespace
 {
 
-/// Torque tolerance [mu N R] of the load averaged over the phases and of its interpolation in the spin. In
-/// most studies it is a tenth of the uncertainty due to waviness.
-constexpr double tolerance = 1e-5;
+/// Torque tolerances [mu N R] of the load averaged over the phases and of its interpolation in the spin.
+constexpr double tolerance_of_phases = 1e-6, tolerance_of_spins = 1e-5;
 /// Maximum torque errors [mu N R] of the mean load (part of the error band) and of the load interpolated in
 /// the phase (affects mainly the ripple of the spin).
 constexpr SampleError largest_allowed = { 3e-2, 0.3 };
@@ -78,7 +77,7 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
     const double of_glass = samples.error(&PhaseGrids::glass).mean,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
-    if (of_glass + of_table <= tolerance || worse.size() == max_phases ||
+    if (of_glass + of_table <= tolerance_of_phases || worse.size() == max_phases ||
         2 * grids.size() > asked.max_samples)
     {
       require_resolved(grids.size(), samples.error(), asked.max_error);
@@ -151,7 +150,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
   // The target is ten times the wanted error, because the last sample typically reduces the error to a tenth.
   CurveTolerance tolerances;
-  tolerances.target = 10 * std::max(tolerance, at_rest.error().mean);
+  tolerances.target = 10 * std::max(tolerance_of_spins, at_rest.error().mean);
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
   tolerances.max_samples = sampling.max_samples;
   tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);

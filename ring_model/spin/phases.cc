@@ -95,6 +95,19 @@ double torque_difference(const Sample &one, const Sample &other)
   return largest / (other.normal_force() * radius);
 }
 
+namespace
+{
+
+/// Returns the error with all phases from the errors with half and with a quarter of them: it decreases
+/// geometrically with the number of phases, at least as much from the half to all as from the quarter to the
+/// half.
+double extrapolated_error(double of_half, double of_quarter)
+{
+  return of_half * std::min(1., of_half / of_quarter);
+}
+
+} // namespace
+
 PhaseSamples::PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &columns, std::size_t n_rings)
     : grids(grids)
     , loads(columns)
@@ -122,9 +135,10 @@ SampleError PhaseSamples::error(PhaseGrids::Angle angle) const
 {
   if ((grids.*angle).size() == 1)
     return {};
-  const PhaseSamples half = halved(angle);
-  const double of_half = error_of_half(angle), of_quarter = half.error_of_half(angle);
-  return { torque_difference(half.mean(), mean()), of_half * std::min(1., of_half / of_quarter) };
+  const PhaseSamples half = halved(angle), quarter = half.halved(angle);
+  return { extrapolated_error(torque_difference(half.mean(), mean()),
+                              torque_difference(quarter.mean(), half.mean())),
+           extrapolated_error(error_of_half(angle), half.error_of_half(angle)) };
 }
 
 SampleError PhaseSamples::error() const

@@ -97,8 +97,8 @@ public:
   /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
   Sample mean() const;
 
-  /// Estimates the error in one angle. Mean: difference to the mean of half the phases. Between phases: error
-  /// of interpolation from a half and a quarter of the phases, extrapolated to all.
+  /// Estimates the errors in one angle from the means over half and a quarter of the phases, and from the
+  /// interpolation between them, extrapolated to all phases.
   SampleError error(PhaseGrids::Angle angle) const;
   /// Returns the error in both angles: the sum of errors of the mean, the larger error between phases.
   SampleError error() const;
