@@ -288,7 +288,7 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
     const std::vector<double> spins = spins_of_interest(own.omega);
     std::vector<RefinementAxis> axes = refinement_axes(study, 3);
     const ErrorBands wider =
-      refine(quantities_of_load(study, *own.load, spins, own.omega), axes, ThreadedExecutor(cache));
+      refine(quantities_of_load(study, own.load, spins, own.omega), axes, ThreadedExecutor(cache));
     tallies.converge.add(spin_of(wider), error);
   }
   std::fflush(stdout);

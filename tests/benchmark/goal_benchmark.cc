@@ -176,14 +176,14 @@ stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &
   ComplianceCache cache;
   const auto foot = study_foot(study, cache, silent_progress(), nullptr, mesh);
   const BalancedLoad load = find_load(study, foot);
-  const double omega = ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
+  const double omega = stemware::ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
   dealii::Timer timer;
   GoalError found;
   found.value = omega;
   if (estimates)
     found = given_estimate(goal_error(study, *foot, load, omega, Goal::terminal_spin, true));
-  const FootDescription mesh = foot->body().description();
-  say("{:10} {:9} {:+.9f} {:7.1f} ", mesh.body, mesh.n_unknowns, omega, timer.wall_time());
+  const FootDescription body = foot->body().description();
+  say("{:10} {:9} {:+.9f} {:7.1f} ", body.body, body.n_unknowns, omega, timer.wall_time());
   return found;
 }
 
