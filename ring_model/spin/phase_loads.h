@@ -24,9 +24,9 @@ struct RestSampling
 };
 
 /// Samples the load at rest over the phases until the error of its mean is 1e-6 mu N R
-/// (PhaseSamples::error()). Begins with 8 phases of one angle, or 4 of each of two, and doubles the angle with
-/// the larger error, up to 128 in each and RestSampling::max_samples in all. Throws NoBalance if the error of
-/// the mean stays above RestSampling::max_error, or the error between phases above 0.3.
+/// (PhaseSamples::error()). Begins with 8 phases of one angle, or 4 of each of two, and doubles the angle
+/// with the larger error, up to 128 in each and RestSampling::max_samples in all. Throws NoBalance if the
+/// error of the mean stays above RestSampling::max_error, or the error between phases above 0.3.
 PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked);
 
 /// Sampling of a load that depends on the spin.

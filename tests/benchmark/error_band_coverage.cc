@@ -1,15 +1,10 @@
 // Checks the error bands of `stemware run` on random studies of seed SEED. Each study is compared with a
-// finer reference, which does not use the refinement levels of the band:
-//   axes      the result plus the sum of its changes due to each single refinement: contact cells and corner
-//             cells of 1/8 of the size, a higher degree, 8 times the azimuth lines, 4 times the elastic
-//             harmonics, 96 harmonics of the load, a penalty spring 100 times stiffer (hard
-//             interface), sums over points instead of rings
-//   together  the study with all refinements at once: cells of 1/4 of the size, 4 times the lines and
-//             elastic harmonics, 96 harmonics of the load, the stiffer spring, and sums over points
-//   converge  the reference of `together`; the bands of `stemware converge` are checked, too
-// Wavy rims and tables are excluded. Build: cmake --preset bench && cmake --build --preset bench
-// Run for the studies FIRST ... N:
-//   build/bench/error_band_coverage [axes|together|converge [N [SEED [FIRST]]]]
+// finer reference, which does not use the refinement levels of the band: cells of 1/4 of the size in the
+// contact and at corners, 4 times the azimuth lines and the elastic harmonics, 96 harmonics of the load, a
+// penalty spring 100 times stiffer (hard interface), and sums over points instead of rings. With `converge`,
+// the bands of `stemware converge` are checked, too. Wavy rims and tables are excluded. Build: cmake --preset
+// bench && cmake --build --preset bench Run for the studies FIRST ... N:
+//   build/bench/error_band_coverage [run|converge [N [SEED [FIRST]]]]
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/refinement_study.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
@@ -25,7 +20,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -106,39 +100,6 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
     mesh.halved_cells.push_back(marked);
   }
   return { study, mesh };
-}
-
-struct FinerStudy
-{
-  std::string axis;
-  FineStudy fine;
-  FineStudy from; ///< same study without this refinement
-};
-
-std::vector<FinerStudy> finer_on_one_axis(const Study &study)
-{
-  std::vector<FinerStudy> finer;
-  const auto add = [&](const char *axis, const std::function<void(ContactSection &)> &change)
-  {
-    finer.push_back({ axis, { study }, { study } });
-    change(finer.back().fine.study.contact);
-  };
-  finer.push_back({ "mesh", with_smaller_cells(study, 3), { study } });
-  add("degree", [](ContactSection &contact) { ++contact.degree; });
-  add("lines", [](ContactSection &contact) { contact.azimuth_lines *= 8; });
-  // Four times the azimuth lines resolve the additional harmonics of the refined study.
-  Study on_more_lines = study;
-  on_more_lines.contact.azimuth_lines *= 4;
-  for (const char *axis : { "harmonics", "load_harmonics" })
-    finer.push_back({ axis, { on_more_lines }, { on_more_lines } });
-  (finer.end() - 2)->fine.study.contact.harmonics *= 4;
-  finer.back().fine.study.contact.load_harmonics = 96;
-  if (study.table.is_hard())
-  {
-    finer.push_back({ "interface", { study }, { study } });
-    finer.back().fine.mesh.hardness *= 100;
-  }
-  return finer;
 }
 
 FineStudy finer_in_everything(const Study &study)
@@ -243,7 +204,7 @@ const BandedQuantity &spin_of(const ErrorBands &bands)
   throw std::runtime_error("no band");
 }
 
-void compare(const Study &study, const std::string &truth, Tallies &tallies)
+void compare(const Study &study, bool with_converge, Tallies &tallies)
 {
   fem::ComplianceCache cache;
   const Solved own = solve({ study }, cache);
@@ -254,36 +215,13 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
   const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, ThreadedExecutor(cache));
   const BandedQuantity &band = spin_of(bands);
 
-  double error = 0;
-  const auto part = [&](const std::string &axis)
-  {
-    const auto found = band.parts.find(axis);
-    return found == band.parts.end() ? 0. : found->second;
-  };
-  const auto changed = [&](const std::string &axis, double change)
-  {
-    std::printf("      %-15s %9.1e, part %7.1e\n", axis.c_str(), change, part(axis));
-    std::fflush(stdout);
-    error += change;
-  };
-  if (truth == "axes")
-  {
-    for (const FinerStudy &finer : finer_on_one_axis(study))
-    {
-      const bool is_own = finer.from.study.contact.azimuth_lines == study.contact.azimuth_lines;
-      const double from = is_own ? own.omega : solve(finer.from, cache, own.omega).omega;
-      changed(finer.axis, solve(finer.fine, cache, own.omega).omega - from);
-    }
-    changed("rings", change_by_points(study, own));
-  }
-  else
-  {
-    const FineStudy finer = finer_in_everything(study);
-    const Solved solved = solve(finer, cache, own.omega);
-    changed("all", solved.omega + change_by_points(finer.study, solved) - own.omega);
-  }
+  const FineStudy finer = finer_in_everything(study);
+  const Solved solved = solve(finer, cache, own.omega);
+  const double error = solved.omega + change_by_points(finer.study, solved) - own.omega;
+  for (const auto &[part, value] : band.parts)
+    std::printf("      %-15s %7.1e\n", part.c_str(), value);
   tallies.run.add(band, error);
-  if (truth == "converge")
+  if (with_converge)
   {
     const std::vector<double> spins = spins_of_interest(own.omega);
     std::vector<RefinementAxis> axes = refinement_axes(study, 3);
@@ -299,13 +237,13 @@ void compare(const Study &study, const std::string &truth, Tallies &tallies)
 int main(int argc, char *argv[])
 {
   const MpiSession mpi;
-  const std::string truth = argc > 1 ? argv[1] : "axes";
+  const std::string bands = argc > 1 ? argv[1] : "run";
   const int n_studies = argc > 2 ? std::atoi(argv[2]) : 20;
   RandomStudies studies(argc > 3 ? static_cast<unsigned int>(std::atoi(argv[3])) : 1);
   const int first = argc > 4 ? std::atoi(argv[4]) : 1;
-  if (truth != "axes" && truth != "together" && truth != "converge")
+  if (bands != "run" && bands != "converge")
   {
-    std::fprintf(stderr, "error_band_coverage does not know %s.\n", truth.c_str());
+    std::fprintf(stderr, "error_band_coverage does not know %s.\n", bands.c_str());
     return 1;
   }
   Tallies tallies;
@@ -322,7 +260,7 @@ int main(int argc, char *argv[])
     std::fflush(stdout);
     try
     {
-      compare(study, truth, tallies);
+      compare(study, bands == "converge", tallies);
     }
     catch (const std::exception &failure)
     {

@@ -1,5 +1,5 @@
-// Goal-oriented meshes of a solid foot, for a_2 / a_0 of the load at rest or for the terminal spin, compared
-// with uniformly refined meshes: unknowns, error relative to a body of revolution, and estimated error.
+// Goal-oriented meshes of a solid foot, for a_2 / a_0 of the load at rest, compared with uniformly refined
+// meshes: unknowns, error relative to a body of revolution, and estimated error.
 //
 //   goal_benchmark [name=value]...
 //
@@ -7,21 +7,12 @@
 // mesh), uniform=2 (maximum number of uniform refinements), meshes=6 (adaptive meshes), most=2000000 (maximum
 // number of unknowns), share=0.8 (fraction of the error in the halved cells), degree=2, crown=0.003 (0: a
 // flat land of 2 mm), shape=step|foot, table=winkler|hard, modulus=1e11, moment=1.2, friction=0, exact=
-// (known reference value instead of a body of revolution), goal=a2|spin.
-//
-// goal=spin: terminal spin of a study with this foot. The moment is computed from the moment balance (moment=
-// is ignored). offset=1.6: factor on the default distance of the hand from the centre of mass. friction=0
-// switches the deformation by friction off; mu keeps its default. The first mesh is given by cells= and
-// refinements= (uniform= is ignored).
+// (known reference value instead of a body of revolution).
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/winkler_interface.h"
-#include "fem/pipeline/analysis/goal_mesh.h"
-#include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "fem/solid/solid_foot.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/spin/answer.h"
 #include "tests/benchmark/solid_benchmark.h"
 
 #include <deal.II/base/timer.h>
@@ -36,8 +27,6 @@ namespace
 
 struct Case
 {
-  bool of_spin = false;
-  stemware::pipeline::Study study; ///< used if of_spin is true
   SolidSetup solid;
   RevolutionSetup revolution;
   FootResolution resolution;
@@ -49,27 +38,6 @@ struct Case
   double share = 0.8;
   std::optional<double> exact;
 };
-
-stemware::pipeline::Study read_study(const NamedValues &values)
-{
-  stemware::pipeline::Study study;
-  study.glass.profile = profile_of(values);
-  if (values.text("table") == "hard")
-    study.table.interface = stemware::pipeline::TableInterface::hard;
-  study.table.foundation_modulus = values.number("modulus");
-  study.motion.orbit.force_offset *= values.number("offset");
-  const std::vector<unsigned int> cells = values.counts("cells");
-  study.contact.resolution = { cells.at(0), cells.at(1), cells.at(2) };
-  study.contact.refinements = values.count("refinements");
-  study.contact.degree = values.count("degree");
-  study.contact.linear_solver = LinearSolver::multigrid;
-  study.contact.harmonics = 24;
-  study.contact.load_harmonics = 12;
-  if (values.number("friction") == 0)
-    study.contact.friction_coupling = stemware::pipeline::FrictionCoupling::none;
-  study.contact.goal = stemware::pipeline::Goal::terminal_spin;
-  return study;
-}
 
 Case read_case(int argc, char **argv)
 {
@@ -86,8 +54,6 @@ Case read_case(int argc, char **argv)
                              { "table", "winkler" },
                              { "modulus", "1e11" },
                              { "exact", "" },
-                             { "goal", "a2" },
-                             { "offset", "1.6" },
                              { "moment", "1.2" },
                              { "friction", "0" } });
   Case study;
@@ -95,8 +61,6 @@ Case read_case(int argc, char **argv)
   study.resolution = { cells.at(0), cells.at(1), cells.at(2), values.count("refinements") };
   study.max_refinements = values.count("uniform");
   study.n_meshes = values.count("meshes");
-  study.of_spin = values.text("goal") == "spin";
-  study.study = read_study(values);
   study.max_unknowns = values.count("most");
   study.share = values.number("share");
   if (!values.text("exact").empty())
@@ -119,15 +83,6 @@ Case read_case(int argc, char **argv)
   study.demand.ring_radii = { 0.0295, 0.0305 };
   study.demand.n_harmonics = 4;
   return study;
-}
-
-template <typename Estimate>
-Estimate given_estimate(const std::optional<Estimate> &estimate)
-{
-  if (!estimate)
-    throw std::runtime_error(
-      "There is no estimate of this foot's error: its contact is narrower than its cells.");
-  return *estimate;
 }
 
 /// Returns the goal a_2 / a_0 of the load summed over all rings, with a_0 = weight / (2 pi).
@@ -163,60 +118,14 @@ MeshError solve_on(const SolidMesh &mesh, const Case &study, double exact, const
   timer.restart();
   MeshError error;
   if (estimates)
-    error = given_estimate(foot.mesh_error(state, goal, true));
+    error = foot.mesh_error(state, goal, true).value(); // none if the contact is narrower than the cells
   say("{:8} {:9} {:+.9f} {:+.2e} {:+.2e} {:6.3f} {:7.1f} {:7.1f}\n", kind, foot.description().n_unknowns,
       value, exact - value, error.correction, error.correction / (exact - value), seconds, timer.wall_time());
   return error;
 }
 
-stemware::pipeline::GoalError terminal_spin_of(const stemware::pipeline::Study &study, bool estimates,
-                                               const stemware::pipeline::Discretisation &mesh = {})
-{
-  using namespace stemware::pipeline;
-  ComplianceCache cache;
-  const auto foot = study_foot(study, cache, silent_progress(), nullptr, mesh);
-  const BalancedLoad load = find_load(study, foot);
-  const double omega = stemware::ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
-  dealii::Timer timer;
-  GoalError found;
-  found.value = omega;
-  if (estimates)
-    found = given_estimate(goal_error(study, *foot, load, omega, Goal::terminal_spin, true));
-  const FootDescription body = foot->body().description();
-  say("{:10} {:9} {:+.9f} {:7.1f} ", body.body, body.n_unknowns, omega, timer.wall_time());
-  return found;
-}
-
-void run_spin(const Case &given)
-{
-  stemware::pipeline::Study study = given.study, fine = given.study;
-  fine.contact.body = stemware::pipeline::BodyKind::revolution;
-  fine.contact.resolution = {};
-  fine.contact.degree = 3;
-  say("body        unknowns     rad/s   estimate (s)    error   estimated  ratio\n");
-  double exact = given.exact.value_or(0);
-  if (!given.exact)
-    for (const unsigned int refinements : { 0, 1 })
-    {
-      fine.contact.refinements = refinements;
-      exact = terminal_spin_of(fine, false).value;
-      say("\n");
-    }
-  study.contact.body = stemware::pipeline::BodyKind::solid;
-  stemware::pipeline::Discretisation mesh;
-  for (unsigned int n = 0; n < given.n_meshes; ++n)
-  {
-    const stemware::pipeline::GoalError found = terminal_spin_of(study, true, mesh);
-    const double error = exact - found.value;
-    say("{:+.2e} {:+.2e} {:6.3f}\n", error, found.error.correction, found.error.correction / error);
-    mesh.halved_cells.push_back(found.error.mark(given.share));
-  }
-}
-
 void run(const Case &study)
 {
-  if (study.of_spin)
-    return run_spin(study);
   const double exact = study.exact ? *study.exact : truth(study);
   say("body of revolution: a2/a0 = {:+.9f}\n", exact);
   say("mesh      unknowns      a2/a0     error   estimated  ratio  contact estimate (s)\n");

@@ -130,18 +130,22 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   }
   const Variant coarse = changed(fewer, [](Variant &variant) { variant.discretisation.fineness /= 2; });
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
-  // On a hard table the cells are small, and a higher degree is expensive. The degree is therefore raised on
-  // the coarse mesh, where the change due to the degree is larger than on the mesh of the study.
-  if (study.contact.degree < 4 && study.table.is_hard())
-    changes.push_back(change_of("degree", usual_factor, changed(coarse, raise_degree), "mesh"));
-  else if (study.contact.degree < 4)
-    changes.push_back(change_of("degree", usual_factor, changed(fewer, raise_degree), from));
   // At re-entrant corners far from the contact the error is of first order, so the change to halved cells is
   // half of the error.
   if (has_focused_mesh(study, own.discretisation))
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
       from));
+  // A higher degree removes the same error as smaller cells, so it is an alternative. On a hard table the
+  // cells are small, and a higher degree is expensive. The degree is therefore raised on the coarse mesh,
+  // where the change due to the degree is larger than on the mesh of the study.
+  if (study.contact.degree < 4)
+  {
+    changes.push_back(study.table.is_hard()
+                        ? change_of("mesh", usual_factor, changed(coarse, raise_degree), "mesh")
+                        : change_of("mesh", usual_factor, changed(fewer, raise_degree), from));
+    changes.back().is_alternative = true;
+  }
   if (!is_full)
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.study.contact.azimuth_lines *= factor; },

@@ -273,7 +273,9 @@ void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &b
     const double move = change.compares_over_spins
                           ? max_change_over_spins(key, before, after, change.study.motion.orbit.yaw_inertia)
                           : std::abs(quantity_of(after, key).value - quantity_of(before, key).value);
-    const double known = change.is_alternative ? banded.parts[change.part] : 0.;
+    // The largest pressure and the width depend on single points, which each change moves: their changes add.
+    const bool is_at_points = key == "peak_pressure" || key == "contact_width";
+    const double known = change.is_alternative && !is_at_points ? banded.parts[change.part] : 0.;
     banded.add(change.part, std::max(change.factor * move - known, 0.));
   }
   bands.erase(std::remove_if(bands.begin(), bands.end(),

@@ -18,8 +18,8 @@ struct BandPart
 };
 
 constexpr BandPart band_parts[] = {
-  { "mesh", "mesh", "From the cells of the meridian or the solid mesh." },
-  { "degree", "degree", "From the degree of the elements." },
+  { "mesh", "mesh", "From the cells; with a body of revolution, from their degree too." },
+  { "degree", "degree", "From the degree of solid elements." },
   { "harmonics", "harmonics", "From the elastic harmonics." },
   { "lines", "lines", "From the lines along which the table law is integrated." },
   { "interface", "interface", "From the penalty of a hard table." },
