@@ -99,16 +99,15 @@ PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &p
 
 Sample PhaseSampledLoad::at(double omega, const Orientation &phase) const
 {
-  if (!varies_with_spin(omega))
-    return at_rest.at(phase);
-  const Eigen::VectorXd columns = interval_around(omega).columns(omega);
-  const Eigen::Map<const Eigen::MatrixXd> by_phase(columns.data(), at_rest.columns().rows(), phases().size());
-  return Sample::from_coefficients(phases().interpolated(by_phase, phase), at_rest.n_rings());
+  return at_spin(omega).at(phase);
 }
 
 PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) const
 {
-  return { phases(), columns.reshaped(at_rest.columns().rows(), phases().size()), at_rest.n_rings() };
+  const Eigen::MatrixXd &rest = at_rest.columns();
+  if (sampling.only_first_phase)
+    return { phases(), rest.colwise() + (columns - rest.col(0)), at_rest.n_rings() };
+  return { phases(), columns.reshaped(rest.rows(), phases().size()), at_rest.n_rings() };
 }
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const
@@ -145,7 +144,12 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 {
   const double lower = static_cast<double>(interval) * sampling.unit, upper = lower + sampling.unit;
   const auto columns = [&](double omega) -> Eigen::VectorXd
-  { return sampled_at(load, omega, phases()).columns().reshaped(); };
+  {
+    if (!sampling.only_first_phase)
+      return sampled_at(load, omega, phases()).columns().reshaped();
+    const Sample exact = load(omega, phases().phase(0));
+    return exact.coefficients(exact.n_harmonics());
+  };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
   // The target is ten times the wanted error, because the last sample typically reduces the error to a tenth.

@@ -35,6 +35,9 @@ struct SpinSampling
   double unit = 0; ///< length of the spin intervals from 0 on [rad/s]; 0: no dependence on the spin
   unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
+  /// True if the change of the load with the spin is sampled at the first phase only: enough for a glass that
+  /// does not spin up.
+  bool only_first_phase = false;
 };
 
 /// Load that depends on the phases of glass and table, and possibly on the spin. Sampled on one grid of
@@ -76,12 +79,13 @@ private:
   /// Loads at all phases on one interval of spins.
   struct Interval
   {
-    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped
+    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped; or their first column
     SampleError error;
   };
 
   bool varies_with_spin(double omega) const { return sampling.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
+  /// Returns the loads at all phases from a value of Interval::columns.
   PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
   const Interval &interval_around(double omega) const;
   /// Samples an interval to a torque_difference() of mean(); for a load with kinks in the spin, to 3e-2.

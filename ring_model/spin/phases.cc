@@ -99,11 +99,11 @@ namespace
 {
 
 /// Returns the error with all phases from the errors with half and with a quarter of them: it decreases
-/// geometrically with the number of phases, at least as much from the half to all as from the quarter to the
+/// geometrically, from the half to all by at least 1 / @p safety of the decrease from the quarter to the
 /// half.
-double extrapolated_error(double of_half, double of_quarter)
+double extrapolated_error(double of_half, double of_quarter, double safety)
 {
-  return of_half * std::min(1., of_half / of_quarter);
+  return of_half * std::min(1., safety * of_half / of_quarter);
 }
 
 } // namespace
@@ -136,9 +136,10 @@ SampleError PhaseSamples::error(PhaseGrids::Angle angle) const
   if ((grids.*angle).size() == 1)
     return {};
   const PhaseSamples half = halved(angle), quarter = half.halved(angle);
+  // The error of the mean is a single number, which may be small by chance if the load jumps.
   return { extrapolated_error(torque_difference(half.mean(), mean()),
-                              torque_difference(quarter.mean(), half.mean())),
-           extrapolated_error(error_of_half(angle), half.error_of_half(angle)) };
+                              torque_difference(quarter.mean(), half.mean()), 4),
+           extrapolated_error(error_of_half(angle), half.error_of_half(angle), 1) };
 }
 
 SampleError PhaseSamples::error() const

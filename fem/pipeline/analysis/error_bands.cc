@@ -112,12 +112,14 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
   return found;
 }
 
-/// Returns equally spaced orientations of glass and table, or a single orientation if neither is wavy.
-std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot)
+/// Returns equally spaced orientations of glass and table, or a single orientation if neither is wavy or if
+/// the glass does not spin up: its torque at rest is the same at all phases.
+std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot, double omega)
 {
+  constexpr double negligible = 1e-6;
   const ring::Orientation start = moment_balance(study).orientation;
   const ring::PhasePeriods periods = phase_periods(study, foot);
-  if (!periods.any())
+  if (!periods.any() || std::abs(omega) <= negligible * study.spin_unit())
     return { start };
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;
@@ -183,7 +185,7 @@ EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double om
   EvaluationPoints probe;
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
-  probe.phases = phases_of(study, foot);
+  probe.phases = phases_of(study, foot, omega);
   probe.with_width = study.table.is_hard() && study.glass.profile.crown_radius > 0 &&
                      abilities(study.contact.body).is_of_revolution;
   return probe;

@@ -6,6 +6,7 @@
 #include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/study/contact_section.h"
 #include "ring_model/failures.h"
+#include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/motion.h"
 #include "ring_model/spin/phase_loads.h"
@@ -141,6 +142,21 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
   }
 }
 
+/// Returns true if the torque vanishes at every phase of the glass at rest, so that the glass does not spin
+/// up, as in full balance if the hand is at the height of the centre of mass.
+bool stays_at_rest(const ring::Motion &motion, const ring::PhaseSamples &at_rest)
+{
+  constexpr double negligible = 1e-6; // [mu N R]
+  for (unsigned int i = 0; i < at_rest.phases().size(); ++i)
+  {
+    const ring::Sample load = at_rest.sample(i);
+    if (std::abs(ring::wrench(motion, load, 0).torque) >
+        negligible * motion.friction_at_rest() * motion.normal_force() * load.radius())
+      return false;
+  }
+  return true;
+}
+
 /// Returns the load over all phases. @p at_rest: contact solution at t = 0.
 BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ContactBalance &balance,
                               const ring::PhasePeriods &periods, const fem::ContactState &at_rest,
@@ -175,6 +191,7 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   // The sampling intervals of the spin have a border at v / R, where the friction torque has a kink.
   if (follows)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
+  spins.only_first_phase = stays_at_rest(balance.motion, samples);
   if (is_hard)
     spins.max_samples = is_coarse ? 5 : 9;
   if (is_coarse)

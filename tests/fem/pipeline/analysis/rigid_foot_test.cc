@@ -338,6 +338,28 @@ TEST(RigidFoot, LeastLoadOfAWavyFootAgreesWithSumsOverPointsAtRestAndAtTheTermin
   EXPECT_NEAR(spin.phases->least_load, std::min(at_rest, at_terminal), 5e-4 * mean);
 }
 
+// With the hand at the height of the centre of mass the glass does not spin up. The change of its load with
+// the spin is sampled at one phase only, which changes the time constant by less than 1e-3.
+TEST(RigidFoot, TimeConstantOfAWavyFootThatDoesNotSpinUpAgreesWithSumsOverPoints)
+{
+  WavyFoot foot;
+  foot.study.motion.orbit.force_offset = foot.motion.force_offset = 0;
+  const SolvedStudy solved(foot.study, test::rigid_foot());
+  ring::Question with_slope;
+  with_slope.with_slope = true;
+  const ring::Answer row = ring::answer(solved.load, spin_question(foot.study, with_slope)).value();
+  constexpr int n_phases = 8;
+  const double step = 0.02; // [rad/s]
+  double slope = 0;
+  for (int i = 0; i < n_phases; ++i)
+  {
+    foot.turn(2 * ring::pi / foot.n_waves * i / n_phases);
+    slope += (foot.at(step).axial_torque - foot.at(-step).axial_torque) / (2 * step * n_phases);
+  }
+  EXPECT_NEAR(row.terminal->omega, 0, 1e-5);
+  EXPECT_NEAR(row.terminal->time_constant, foot.motion.inertia / -slope, 1e-3 * row.terminal->time_constant);
+}
+
 /// Returns the mean over time of the spin [rad/s] after the transient, near @p middle. The torque by sums
 /// over points is a Fourier series in the phase and a polynomial in the spin; Euler's equation is integrated
 /// over the phase by the Runge-Kutta method of fourth order.
