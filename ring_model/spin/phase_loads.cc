@@ -97,11 +97,6 @@ PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &p
 {
 }
 
-Sample PhaseSampledLoad::at(double omega, const Orientation &phase) const
-{
-  return at_spin(omega).at(phase);
-}
-
 PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) const
 {
   const Eigen::MatrixXd &rest = at_rest.columns();

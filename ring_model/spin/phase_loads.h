@@ -35,9 +35,7 @@ struct SpinSampling
   double unit = 0; ///< length of the spin intervals from 0 on [rad/s]; 0: no dependence on the spin
   unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
-  /// True if the change of the load with the spin is sampled at the first phase only: enough for a glass that
-  /// does not spin up.
-  bool only_first_phase = false;
+  bool only_first_phase = false; ///< sample the change with the spin at one phase: for a glass without spin
 };
 
 /// Load that depends on the phases of glass and table, and possibly on the spin. Sampled on one grid of
@@ -52,7 +50,7 @@ public:
 
   /// Returns the load at a spin and phase. Throws NoBalance if the samples around @p omega are not accurate
   /// enough (sample_phases()) or would exceed SpinSampling::max_intervals.
-  Sample at(double omega, const Orientation &phase) const;
+  Sample at(double omega, const Orientation &phase) const { return at_spin(omega).at(phase); }
 
   /// Returns the mean over all phases, which has the mean moment.
   Sample mean(double omega) const { return at_spin(omega).mean(); }

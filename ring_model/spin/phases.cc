@@ -95,19 +95,6 @@ double torque_difference(const Sample &one, const Sample &other)
   return largest / (other.normal_force() * radius);
 }
 
-namespace
-{
-
-/// Returns the error with all phases from the errors with half and with a quarter of them: it decreases
-/// geometrically, from the half to all by at least 1 / @p safety of the decrease from the quarter to the
-/// half.
-double extrapolated_error(double of_half, double of_quarter, double safety)
-{
-  return of_half * std::min(1., safety * of_half / of_quarter);
-}
-
-} // namespace
-
 PhaseSamples::PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &columns, std::size_t n_rings)
     : grids(grids)
     , loads(columns)
@@ -136,10 +123,14 @@ SampleError PhaseSamples::error(PhaseGrids::Angle angle) const
   if ((grids.*angle).size() == 1)
     return {};
   const PhaseSamples half = halved(angle), quarter = half.halved(angle);
-  // The error of the mean is a single number, which may be small by chance if the load jumps.
-  return { extrapolated_error(torque_difference(half.mean(), mean()),
-                              torque_difference(quarter.mean(), half.mean()), 4),
-           extrapolated_error(error_of_half(angle), half.error_of_half(angle), 1) };
+  // The error decreases geometrically with the number of phases, from the half to all by at least 1 / safety
+  // of the decrease from the quarter to the half. The error of the mean may be small by chance if the load
+  // jumps.
+  const auto error_of_all = [](double of_half, double of_quarter, double safety)
+  { return of_half * std::min(1., safety * of_half / of_quarter); };
+  return { error_of_all(torque_difference(half.mean(), mean()),
+                        torque_difference(quarter.mean(), half.mean()), 4),
+           error_of_all(error_of_half(angle), half.error_of_half(angle), 1) };
 }
 
 SampleError PhaseSamples::error() const

@@ -26,8 +26,7 @@ struct BandChange : Variant
   std::string from = {}; ///< part whose first change is the reference; empty: the study
   /// True if terminal spin and torques are compared by max_change_over_spins().
   bool compares_over_spins = false;
-  /// True if the part is the larger of this change and the sum of its earlier changes; their sum for values
-  /// at single points (largest pressure, width).
+  /// True if the part is the larger of this change and the sum of its earlier ones (for maxima: the sum).
   bool is_alternative = false;
   /// Rings of a change that keeps the study's contacts and recomputes only the torque; empty for others.
   std::optional<RingProjection> ring_projection = {};

@@ -116,10 +116,9 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
 /// the glass does not spin up: its torque at rest is the same at all phases.
 std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot, double omega)
 {
-  constexpr double negligible = 1e-6;
   const ring::Orientation start = moment_balance(study).orientation;
   const ring::PhasePeriods periods = phase_periods(study, foot);
-  if (!periods.any() || std::abs(omega) <= negligible * study.spin_unit())
+  if (!periods.any() || std::abs(omega) <= 1e-6 * study.spin_unit())
     return { start };
   constexpr unsigned int n_phases = 4;
   std::vector<ring::Orientation> phases;

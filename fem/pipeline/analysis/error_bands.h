@@ -16,7 +16,8 @@ namespace stemware::pipeline
 /// itself, and the change is one of the parts that the band sums (docs/method/error_bands.md). Quantities:
 /// load and table motion at rest; torque at rest and at 0.5 and 1.5 times the terminal spin;
 /// terminal spin and time constant; effect of the harmonics beyond the first. With waviness, and if the load
-/// depends on the direction of the moment, torques are means over four phases of the period.
+/// depends on the direction of the moment, torques are means over four phases of the period of a glass that
+/// spins up.
 ///
 /// @p all: row of all harmonics; @p first: terminal spin of the first harmonic only, if any; @p reported:
 /// known values, which replace computed ones (equal up to the solver's tolerance). A quantity without a value

@@ -111,8 +111,8 @@ BalancedLoad load_at_one_phase(const std::shared_ptr<ElasticFoot> &foot, Contact
            report_of(at_rest, foot->radius(), balance.tilts), contacts };
 }
 
-/// Returns the contact solution at rest with glass and table in the orientation @p phase. If the foot
-/// tips, the message also describes @p at_start, the contact solution at t = 0.
+/// Returns the contact solution at rest with glass and table in the orientation @p phase. @p at_start:
+/// contact solution at t = 0.
 fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &phase,
                                    const fem::ContactState &at_start)
 {
@@ -131,30 +131,11 @@ fem::ContactState contact_at_phase(ElasticFoot &foot, const ring::Orientation &p
                                  ? "glass is turned by " + degrees(phase.glass - start.glass)
                                  : "table is turned by " + degrees(phase.table - start.table);
     const std::string message =
-      "At the start the contact is in balance: " + to_short_text(100 * at_start.load.contact_fraction) +
-      " % of the land are under pressure, at most " + to_short_text(at_start.load.peak_pressure) +
-      " Pa, the table's motion is " + to_short_text(at_start.solution.motion(0)) + " m, " +
-      to_short_text(at_start.solution.motion(1)) + " rad, " + to_short_text(at_start.solution.motion(2)) +
-      " rad. But the foot tips when the " + turned + " degrees: " + failure.message;
+      "The foot stands at the start, but it tips when the " + turned + " degrees: " + failure.message;
     if (dynamic_cast<const fem::TippingDemand *>(&failure))
       throw fem::TippingDemand(message);
     throw fem::ContactFailure(failure.outcome, message);
   }
-}
-
-/// Returns true if the torque vanishes at every phase of the glass at rest, so that the glass does not spin
-/// up, as in full balance if the hand is at the height of the centre of mass.
-bool stays_at_rest(const ring::Motion &motion, const ring::PhaseSamples &at_rest)
-{
-  constexpr double negligible = 1e-6; // [mu N R]
-  for (unsigned int i = 0; i < at_rest.phases().size(); ++i)
-  {
-    const ring::Sample load = at_rest.sample(i);
-    if (std::abs(ring::wrench(motion, load, 0).torque) >
-        negligible * motion.friction_at_rest() * motion.normal_force() * load.radius())
-      return false;
-  }
-  return true;
 }
 
 /// Returns the load over all phases. @p at_rest: contact solution at t = 0.
@@ -177,11 +158,9 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   };
   // The number of phases is limited, so that a study takes seconds: a load that varies with the spin needs
   // several contact solves per phase, and a hard contact takes ten times as long as a compliant contact.
-  const bool follows = balance.varies_with_spin;
   ring::RestSampling at_rest_sampling;
-  at_rest_sampling.max_samples = is_coarse ? 16 : follows ? 32 : is_hard ? 64 : 256;
-  // Results of coarse sampling have no error band that would show a sampling error. The allowed sampling
-  // error is therefore below the default.
+  at_rest_sampling.max_samples = is_coarse ? 16 : balance.varies_with_spin ? 32 : is_hard ? 64 : 256;
+  // Results of coarse sampling have no error band, so the allowed sampling error is smaller.
   if (is_coarse)
     at_rest_sampling.max_error = 1e-3;
   const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
@@ -189,9 +168,13 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;
   // The sampling intervals of the spin have a border at v / R, where the friction torque has a kink.
-  if (follows)
+  if (balance.varies_with_spin)
     spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
-  spins.only_first_phase = stays_at_rest(balance.motion, samples);
+  // Without a torque at rest the glass does not spin up, so one phase shows the change with the spin.
+  const ring::Motion &motion = balance.motion;
+  const ring::Sample mean = samples.mean();
+  spins.only_first_phase = std::abs(ring::wrench(motion, mean, 0).torque) <=
+                           1e-6 * motion.friction_at_rest() * motion.normal_force() * mean.radius();
   if (is_hard)
     spins.max_samples = is_coarse ? 5 : 9;
   if (is_coarse)
