@@ -99,15 +99,20 @@ PhaseSampledLoad::PhaseSampledLoad(LoadAtPhase load_given, const PhasePeriods &p
 
 PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) const
 {
-  const Eigen::MatrixXd &rest = at_rest.columns();
-  if (sampling.only_first_phase)
-    return { phases(), rest.colwise() + (columns - rest.col(0)), at_rest.n_rings() };
-  return { phases(), columns.reshaped(rest.rows(), phases().size()), at_rest.n_rings() };
+  return { phases(), columns.reshaped(at_rest.columns().rows(), phases().size()), at_rest.n_rings() };
 }
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 {
-  return varies_with_spin(omega) ? samples_from(interval_around(omega).columns(omega)) : at_rest;
+  if (!varies_with_spin(omega))
+    return at_rest;
+  const double h = sampling.linear_to;
+  if (!(h > 0))
+    return samples_from(interval_around(omega).columns(omega));
+  if (change_per_spin.size() == 0)
+    change_per_spin =
+      (sampled_at(load, h, phases()).columns() - sampled_at(load, -h, phases()).columns()) / (2 * h);
+  return { phases(), at_rest.columns() + omega * change_per_spin, at_rest.n_rings() };
 }
 
 const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega) const
@@ -139,12 +144,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 {
   const double lower = static_cast<double>(interval) * sampling.unit, upper = lower + sampling.unit;
   const auto columns = [&](double omega) -> Eigen::VectorXd
-  {
-    if (!sampling.only_first_phase)
-      return sampled_at(load, omega, phases()).columns().reshaped();
-    const Sample exact = load(omega, phases().phase(0));
-    return exact.coefficients(exact.n_harmonics());
-  };
+  { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
   { return torque_difference(samples_from(interpolated).mean(), samples_from(exact).mean()); };
   // The target is ten times the wanted error, because the last sample typically reduces the error to a tenth.

@@ -35,7 +35,7 @@ struct SpinSampling
   double unit = 0; ///< length of the spin intervals from 0 on [rad/s]; 0: no dependence on the spin
   unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
-  bool only_first_phase = false; ///< sample the change with the spin at one phase: for a glass without spin
+  double linear_to = 0; ///< > 0: linear in the spin, from the loads at +- this spin [rad/s]; for small spins
 };
 
 /// Load that depends on the phases of glass and table, and possibly on the spin. Sampled on one grid of
@@ -77,13 +77,12 @@ private:
   /// Loads at all phases on one interval of spins.
   struct Interval
   {
-    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped; or their first column
+    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped
     SampleError error;
   };
 
   bool varies_with_spin(double omega) const { return sampling.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;
-  /// Returns the loads at all phases from a value of Interval::columns.
   PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
   const Interval &interval_around(double omega) const;
   /// Samples an interval to a torque_difference() of mean(); for a load with kinks in the spin, to 3e-2.
@@ -96,6 +95,7 @@ private:
   mutable std::map<long, Interval> intervals;
   mutable std::map<long, std::exception_ptr> failures; ///< failures of other intervals
   mutable SampleError largest_error;
+  mutable Eigen::MatrixXd change_per_spin; ///< of PhaseSamples::columns(); empty before it is needed
 };
 
 } // namespace stemware::ring

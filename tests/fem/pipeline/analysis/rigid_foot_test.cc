@@ -338,8 +338,8 @@ TEST(RigidFoot, LeastLoadOfAWavyFootAgreesWithSumsOverPointsAtRestAndAtTheTermin
   EXPECT_NEAR(spin.phases->least_load, std::min(at_rest, at_terminal), 5e-4 * mean);
 }
 
-// With the hand at the height of the centre of mass the glass does not spin up. The change of its load with
-// the spin is sampled at one phase only, which changes the time constant by less than 1e-3.
+// With the hand at the height of the centre of mass the glass does not spin up, and its load is linear in the
+// spin.
 TEST(RigidFoot, TimeConstantOfAWavyFootThatDoesNotSpinUpAgreesWithSumsOverPoints)
 {
   WavyFoot foot;
@@ -357,7 +357,7 @@ TEST(RigidFoot, TimeConstantOfAWavyFootThatDoesNotSpinUpAgreesWithSumsOverPoints
     slope += (foot.at(step).axial_torque - foot.at(-step).axial_torque) / (2 * step * n_phases);
   }
   EXPECT_NEAR(row.terminal->omega, 0, 1e-5);
-  EXPECT_NEAR(row.terminal->time_constant, foot.motion.inertia / -slope, 1e-3 * row.terminal->time_constant);
+  EXPECT_NEAR(row.terminal->time_constant, foot.motion.inertia / -slope, 2e-4 * row.terminal->time_constant);
 }
 
 /// Returns the mean over time of the spin [rad/s] after the transient, near @p middle. The torque by sums
