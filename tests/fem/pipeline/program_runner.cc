@@ -85,6 +85,7 @@ void set_environment()
 {
   for (const char *name : { "OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS" })
     ::setenv(name, "1", 1);
+  ::setenv("UCX_DEBUG_SIGNO", "0", 0); // UCX, which Open MPI 5 loads, would catch SIGHUP
 }
 
 } // namespace
