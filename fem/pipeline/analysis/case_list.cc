@@ -69,7 +69,7 @@ std::vector<std::string> range_values(const std::string &origin, const std::vect
   const std::vector<std::string> ends = with_shared_unit({ parts[0], parts[1] });
   for (const std::string &end : ends)
     if (const std::string trouble = unit_error(end, unit); !trouble.empty())
-      throw BadInput(origin + ": " + shortened(end) + trouble);
+      throw BadInput(fmt::format(FMT_STRING("{}: {}{}"), origin, shortened(end), trouble));
   check(trailing_unit(ends[0]).empty() == trailing_unit(ends[1]).empty(),
         "has a unit behind its first number only");
   const auto first = parse_quantity(ends[0], unit), last = parse_quantity(ends[1], unit);
