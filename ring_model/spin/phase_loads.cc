@@ -104,21 +104,14 @@ PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) cons
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 {
-  if (!varies_with_spin(omega))
-    return at_rest;
-  const double h = sampling.linear_to;
-  if (!(h > 0))
-    return samples_from(interval_around(omega).columns(omega));
-  if (change_per_spin.size() == 0)
-    change_per_spin =
-      (sampled_at(load, h, phases()).columns() - sampled_at(load, -h, phases()).columns()) / (2 * h);
-  return { phases(), at_rest.columns() + omega * change_per_spin, at_rest.n_rings() };
+  return varies_with_spin(omega) ? samples_from(interval_around(omega).columns(omega)) : at_rest;
 }
 
 const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega) const
 {
-  const auto interval = static_cast<long>(std::floor(omega / sampling.unit));
-  const auto known = intervals.find(interval);
+  const double lower = polynomial_range(omega).first,
+               upper = std::abs(omega) <= sampling.rest ? sampling.rest : lower + sampling.unit;
+  const auto known = intervals.find(lower);
   if (known != intervals.end())
     return known->second;
   if (intervals.size() >= sampling.max_intervals)
@@ -127,22 +120,21 @@ const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega
                " intervals of ", rounded_text(sampling.unit, 3),
                " rad/s, each of which takes a contact at every phase; give a smaller waviness."));
   // Failures are cached, because a search requests the failed interval again at other spins.
-  if (const auto failed = failures.find(interval); failed != failures.end())
+  if (const auto failed = failures.find(lower); failed != failures.end())
     std::rethrow_exception(failed->second);
   try
   {
-    return intervals.emplace(interval, sampled(interval)).first->second;
+    return intervals.emplace(lower, sampled(lower, upper)).first->second;
   }
   catch (...)
   {
-    failures.emplace(interval, std::current_exception());
+    failures.emplace(lower, std::current_exception());
     throw;
   }
 }
 
-PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
+PhaseSampledLoad::Interval PhaseSampledLoad::sampled(double lower, double upper) const
 {
-  const double lower = static_cast<double>(interval) * sampling.unit, upper = lower + sampling.unit;
   const auto columns = [&](double omega) -> Eigen::VectorXd
   { return sampled_at(load, omega, phases()).columns().reshaped(); };
   const auto error_of_mean = [&](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)
@@ -165,7 +157,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
     between_spins =
       std::max(between_spins, safety * torque_difference(interpolated, load(omega, phases().phase(0))));
   }
-  const PhaseSamples farthest = samples_from(samples.columns(interval < 0 ? lower : upper));
+  const PhaseSamples farthest = samples_from(samples.columns(lower < 0 ? lower : upper));
   const SampleError of_phases = larger(at_rest.error(), farthest.error());
   samples.error = { of_phases.mean + between_spins, std::max(of_phases.between, between_spins) };
   largest_error = larger(largest_error, samples.error);
@@ -176,9 +168,8 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(long interval) const
 SampleError PhaseSampledLoad::error(double lower, double upper) const
 {
   SampleError error = at_rest.error();
-  for (const auto &[interval, samples] : intervals)
-    if (const double begin = static_cast<double>(interval) * sampling.unit;
-        begin <= upper && begin + sampling.unit >= lower)
+  for (const auto &[begin, samples] : intervals)
+    if (begin <= upper && samples.columns.upper() >= lower)
       error = larger(error, samples.error);
   return error;
 }
@@ -187,6 +178,8 @@ std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
 {
   if (!(sampling.unit > 0))
     return { -HUGE_VAL, HUGE_VAL };
+  if (std::abs(omega) <= sampling.rest)
+    return { -sampling.rest, sampling.rest };
   const double lower = std::floor(omega / sampling.unit) * sampling.unit;
   return { lower, lower + sampling.unit * (1 - 1e-9) };
 }
@@ -203,7 +196,7 @@ std::vector<Sample> PhaseSampledLoad::samples(double omega) const
 std::size_t PhaseSampledLoad::n_spins() const
 {
   std::size_t n = 1;
-  for (const auto &[interval, samples] : intervals)
+  for (const auto &[begin, samples] : intervals)
     n += samples.columns.n_samples();
   return n;
 }

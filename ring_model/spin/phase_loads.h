@@ -35,7 +35,7 @@ struct SpinSampling
   double unit = 0; ///< length of the spin intervals from 0 on [rad/s]; 0: no dependence on the spin
   unsigned int max_samples = 17; ///< per interval
   std::size_t max_intervals = std::numeric_limits<std::size_t>::max();
-  double linear_to = 0; ///< > 0: linear in the spin, from the loads at +- this spin [rad/s]; for small spins
+  double rest = 0; ///< > 0: a shorter interval from - to + this spin [rad/s], for a glass that stays at rest
 };
 
 /// Load that depends on the phases of glass and table, and possibly on the spin. Sampled on one grid of
@@ -86,16 +86,15 @@ private:
   PhaseSamples samples_from(const Eigen::VectorXd &columns) const;
   const Interval &interval_around(double omega) const;
   /// Samples an interval to a torque_difference() of mean(); for a load with kinks in the spin, to 3e-2.
-  Interval sampled(long interval) const;
+  Interval sampled(double lower, double upper) const;
 
   const LoadAtPhase load;
   const PhasePeriods phase_periods;
   const PhaseSamples at_rest;
   const SpinSampling sampling;
-  mutable std::map<long, Interval> intervals;
-  mutable std::map<long, std::exception_ptr> failures; ///< failures of other intervals
+  mutable std::map<double, Interval> intervals;          ///< by their lower end [rad/s]
+  mutable std::map<double, std::exception_ptr> failures; ///< failures of other intervals
   mutable SampleError largest_error;
-  mutable Eigen::MatrixXd change_per_spin; ///< of PhaseSamples::columns(); empty before it is needed
 };
 
 } // namespace stemware::ring

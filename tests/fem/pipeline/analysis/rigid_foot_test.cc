@@ -338,8 +338,7 @@ TEST(RigidFoot, LeastLoadOfAWavyFootAgreesWithSumsOverPointsAtRestAndAtTheTermin
   EXPECT_NEAR(spin.phases->least_load, std::min(at_rest, at_terminal), 5e-4 * mean);
 }
 
-// With the hand at the height of the centre of mass the glass does not spin up, and its load is linear in the
-// spin.
+// With the hand at the height of the centre of mass the glass does not spin up.
 TEST(RigidFoot, TimeConstantOfAWavyFootThatDoesNotSpinUpAgreesWithSumsOverPoints)
 {
   WavyFoot foot;
