@@ -1,5 +1,6 @@
 #include "fem/revolution/compute_compliance.h"
 
+#include "fem/contact/parallel_for.h"
 #include "fem/revolution/meridian_space.h"
 
 #include <algorithm>
@@ -9,7 +10,6 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 namespace stemware::fem
@@ -58,20 +58,18 @@ ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulati
     [&, first = first, size = size]
     {
       std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // for harmonics 0, 1, and >= 2
-      tbb::parallel_for(0u, 3u,
-                        [&](unsigned int n) {
-                          of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size);
-                        });
-      tbb::parallel_for(0u, options.n_harmonics + 2,
-                        [&](unsigned int n)
-                        {
-                          if (!goes_on())
-                            return;
-                          const bool is_beyond = n > options.n_harmonics;
-                          const unsigned int harmonic = is_beyond ? options.tail_harmonic() : n;
-                          (is_beyond ? result.tail : result.harmonics[n]) =
-                            (*of[std::min(harmonic, 2u)])(harmonic);
-                        });
+      parallel_for(3, [&](unsigned int n)
+                   { of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size); });
+      parallel_for(options.n_harmonics + 2,
+                   [&](unsigned int n)
+                   {
+                     if (!goes_on())
+                       return;
+                     const bool is_beyond = n > options.n_harmonics;
+                     const unsigned int harmonic = is_beyond ? options.tail_harmonic() : n;
+                     (is_beyond ? result.tail : result.harmonics[n]) =
+                       (*of[std::min(harmonic, 2u)])(harmonic);
+                   });
     });
   if (interrupted)
     std::rethrow_exception(interrupted);

@@ -1,8 +1,8 @@
 #include "fem/revolution/meridian_field.h"
 
-#include <deal.II/fe/fe_values.h>
+#include "fem/contact/parallel_for.h"
 
-#include <tbb/parallel_for.h>
+#include <deal.II/fe/fe_values.h>
 
 namespace stemware::fem
 {
@@ -75,7 +75,7 @@ MeridianField::MeridianField(const MeridianSpace &space, const ElasticMaterial &
     for (const unsigned int mode : family)
       solve(mode, factors);
   };
-  tbb::parallel_for(0u, (n_modes() + 1) / 2, solve_harmonic);
+  parallel_for((n_modes() + 1) / 2, solve_harmonic);
 }
 
 MeridianField::Amplitudes MeridianField::amplitudes(const DoFHandler<2>::active_cell_iterator &cell,

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/threaded_executor.h"
 
+#include "fem/contact/parallel_for.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/make_foot.h"
 
@@ -7,7 +8,6 @@
 
 #include <atomic>
 #include <exception>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <vector>
 
@@ -61,7 +61,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   // the other call could wait for the first one (deadlock).
   std::atomic<std::size_t> next = 0; // calls start in ascending order, however the loop is divided
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
-  arena.execute([&] { tbb::parallel_for(std::size_t(0), n, isolated, tbb::simple_partitioner()); });
+  arena.execute([&] { fem::parallel_for(n, isolated); });
   for (const std::exception_ptr &failure : failures)
     if (failure)
       std::rethrow_exception(failure);

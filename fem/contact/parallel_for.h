@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <tbb/parallel_for.h>
+
+namespace stemware::fem
+{
+
+/// Calls @p work(i) for every i < @p n on the threads of TBB, one call per task, and waits for all:
+///
+///     parallel_for(harmonics.size(), [&](std::size_t n) { harmonics[n] = compliance(n); });
+///
+/// @p work should not throw: an exception cancels the other calls.
+template <typename Work>
+void parallel_for(std::size_t n, const Work &work)
+{
+  // The thread sanitizer does not see the synchronisation within libtbb, which is not built with it. The
+  // atomic repeats this synchronisation: each call sees what happened before the loop, the caller what the
+  // calls did.
+  std::atomic<std::size_t> n_finished;
+  n_finished.store(0, std::memory_order_release);
+  tbb::parallel_for(
+    std::size_t(0), n,
+    [&](std::size_t i)
+    {
+      n_finished.load(std::memory_order_acquire);
+      work(i);
+      n_finished.fetch_add(1, std::memory_order_acq_rel);
+    },
+    tbb::simple_partitioner());
+  n_finished.load(std::memory_order_acquire);
+}
+
+} // namespace stemware::fem
