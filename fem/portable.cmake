@@ -50,10 +50,9 @@ set(STEMWARE_PORTABLE
     fem/pipeline/coupling/balanced_contact.
     fem/pipeline/coupling/balanced_load.
     fem/pipeline/coupling/contact_path.
-    fem/pipeline/coupling/discretisation.
+    fem/pipeline/coupling/foot_specification.
     fem/pipeline/coupling/driven_load.
     fem/pipeline/coupling/elastic_foot.
-    fem/pipeline/coupling/foot_load.
     fem/pipeline/coupling/load_report.
     fem/pipeline/coupling/revolution_setup.
     fem/pipeline/coupling/study_balance.

@@ -90,7 +90,7 @@ FineStudy with_smaller_cells(Study study, unsigned int n_halvings)
   const bool is_focused = study.glass.profile.crown_radius > 0 || study.table.is_hard();
   for (unsigned int i = 1; i < n_halvings; ++i)
   {
-    const std::vector<fem::SectionPolygon> cells = foot_section(study, mesh);
+    const std::vector<fem::SectionPolygon> cells = foot_section({ study, mesh });
     std::vector<unsigned int> marked = corner_cells(cells);
     if (!is_focused)
       for (const unsigned int c : contact_cells(cells, study))
@@ -123,7 +123,7 @@ struct Solved
 Solved solve(const FineStudy &fine, fem::ComplianceCache &cache, double expected = 0)
 {
   const Study &study = fine.study;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache, silent_progress(), nullptr, fine.mesh);
+  const std::shared_ptr<ElasticFoot> foot = study_foot({ study, fine.mesh }, foot_maker(cache));
   const BalancedLoad load = find_load(study, foot);
   const double omega = ring::answer(load, { study.motion.orbit, study.motion.grip_torque, {}, expected })
                          .value()
@@ -212,7 +212,7 @@ void compare(const Study &study, bool with_converge, Tallies &tallies)
   question.grip_torque = study.motion.grip_torque;
   question.with_slope = true;
   const ring::Answer row = ring::answer(own.load, question).value();
-  const ErrorBands bands = estimate_bands(study, own.foot, row, std::nullopt, ThreadedExecutor(cache));
+  const ErrorBands bands = estimate_bands({ study, own.foot, ThreadedExecutor(cache) }, row, std::nullopt);
   const BandedQuantity &band = spin_of(bands);
 
   const FineStudy finer = finer_in_everything(study);

@@ -40,7 +40,6 @@ Variant changed(Variant copy, const Setting &change)
 BandChange change_of(const std::string &part, double factor, Variant variant, const std::string &from = "",
                      bool compares_over_spins = false)
 {
-  variant.kind = VariantKind::parameter;
   return { std::move(variant), part, factor, from, compares_over_spins };
 }
 
@@ -107,11 +106,12 @@ void add_lines(const Variant &own, const std::function<void(Variant &, unsigned 
 
 std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticFoot &foot, bool is_full)
 {
-  const Study &study = own.study;
+  const ContactSection &contact = own.study.contact;
+  const bool is_hard = own.study.table.is_hard();
   std::vector<BandChange> changes;
   const auto with_harmonics = [&](unsigned int n)
   { return changed(own, [=](Variant &variant) { variant.study.contact.harmonics = n; }); };
-  const unsigned int n_harmonics = study.contact.harmonics;
+  const unsigned int n_harmonics = contact.harmonics;
   Variant fewer = own;
   std::string from;
   if (n_harmonics > 1)
@@ -132,25 +132,24 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
   // At re-entrant corners far from the contact the error is of first order, so the change to halved cells is
   // half of the error.
-  if (has_focused_mesh(study, own.discretisation))
+  if (has_focused_mesh(own))
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
       from));
   // A higher degree removes the same error as smaller cells, so it is an alternative. On a hard table the
   // cells are small, and a higher degree is expensive. The degree is therefore raised on the coarse mesh,
   // where the change due to the degree is larger than on the mesh of the study.
-  if (study.contact.degree < 4)
+  if (contact.degree < 4)
   {
-    changes.push_back(study.table.is_hard()
-                        ? change_of("mesh", usual_factor, changed(coarse, raise_degree), "mesh")
-                        : change_of("mesh", usual_factor, changed(fewer, raise_degree), from));
+    changes.push_back(is_hard ? change_of("mesh", usual_factor, changed(coarse, raise_degree), "mesh")
+                              : change_of("mesh", usual_factor, changed(fewer, raise_degree), from));
     changes.back().is_alternative = true;
   }
   if (!is_full)
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.study.contact.azimuth_lines *= factor; },
       changes);
-  if (study.table.is_hard())
+  if (is_hard)
     changes.push_back(change_of("interface", 1.5, changed(own, harden)));
   // The study is compared with three other numbers of rings: if the slip vanishes between two rings, the
   // error has either sign, and a single change could vanish by chance.
@@ -200,25 +199,28 @@ std::optional<CoarserStudy> on_coarser_mesh(const Variant &own)
 /// that cells of size @p cell do not resolve. A line load p on a contact of half-width b < cell causes the
 /// indentation 2 (1 - nu^2) / (pi E) p ln(cell / b) of the glass and p / (2 b k) of an interface of stiffness
 /// k (Johnson, Contact Mechanics, 1985, section 4.2).
-double softening_by_narrow_contact(const Study &study, const LoadReport &load, double cell)
+double softening_by_narrow_contact(const fem::ElasticMaterial &glass, const fem::Table &table,
+                                   const LoadReport &load, double cell)
 {
-  const double b = load.half_width(), nu = study.glass.material.poisson_ratio;
+  const double b = load.half_width(), nu = glass.poisson_ratio;
   const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
-  const double indentation =
-    2 * (1 - nu * nu) / (ring::pi * study.glass.material.young_modulus) * std::log(cell / b);
-  return 1 + indentation * 2 * b * study.table.make().interface->stiffness_at(pressure);
+  const double indentation = 2 * (1 - nu * nu) / (ring::pi * glass.young_modulus) * std::log(cell / b);
+  return 1 + indentation * 2 * b * table.interface->stiffness_at(pressure);
 }
 
 std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &foot,
                                          const LoadReport &at_rest, bool is_full)
 {
-  const Study &study = own.study;
+  const ContactSection &contact = own.study.contact;
+  const GlassSection &glass = own.study.glass;
+  const fem::Table table = own.study.table.make();
+  const bool is_hard = table.interface->is_hard();
   const double cell = foot.body().description().contact_cell_size;
   // A flat land is in contact at its edges, where a generated mesh has smaller cells. Only a crowned land or
   // a mesh file can therefore have a contact narrower than a cell.
-  const bool is_round = !study.contact.mesh_file.empty() || study.glass.profile.crown_radius > 0;
+  const bool is_round = !contact.mesh_file.empty() || glass.profile.crown_radius > 0;
   const bool is_narrow = is_round && at_rest.half_width() < cell;
-  if (is_narrow && study.table.is_hard())
+  if (is_narrow && is_hard)
     throw BadInput("the contact is narrower than the mesh's cells");
   const auto is_affordable = [](const Variant &finer)
   { return size_of(finer.study).memory <= finer.study.contact.memory_limit; };
@@ -230,12 +232,12 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   // the change to halved cells. The safety factors are 1.5 and 1.25, respectively.
   if (coarse)
     changes.push_back(change_of("mesh", 1.5 / (coarse->ratio - 1), coarse->variant, "", true));
-  else if (study.contact.degree == 2 && is_affordable(finer))
+  else if (contact.degree == 2 && is_affordable(finer))
     changes.push_back(change_of("mesh", 2.5, finer, "", true));
-  else if (study.contact.degree == 2)
+  else if (contact.degree == 2)
     changes.push_back(
       change_of("degree", 1, changed(own, [](Variant &variant) { variant.study.contact.degree = 1; })));
-  if (study.contact.degree == 1 && is_affordable(quadratic))
+  if (contact.degree == 1 && is_affordable(quadratic))
     changes.push_back(change_of("degree", usual_factor, quadratic));
   if (changes.empty())
     throw BadInput("quadratic elements would exceed Contact/Memory limit");
@@ -244,20 +246,21 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
   // If the contact is narrower than a cell, the change to halved cells does not bound the error: each further
   // halving adds the same indentation until the cells resolve the contact.
   if (is_narrow)
-    changes.push_back(change_of(
-      "mesh", usual_factor,
-      changed(cheapest, [&](Variant &variant)
-              { variant.discretisation.hardness /= softening_by_narrow_contact(study, at_rest, cell); }),
-      as_cheapest, true));
-  if (uses_penalty_for_hard_table(cheapest.study, cheapest.discretisation))
+    changes.push_back(change_of("mesh", usual_factor,
+                                changed(cheapest,
+                                        [&](Variant &variant) {
+                                          variant.discretisation.hardness /=
+                                            softening_by_narrow_contact(glass.material, table, at_rest, cell);
+                                        }),
+                                as_cheapest, true));
+  if (cheapest.uses_penalty_for_hard_table())
     changes.push_back(change_of("interface", 2, changed(cheapest, harden), as_cheapest));
-  else if (uses_penalty_for_hard_table(study, own.discretisation))
+  else if (own.uses_penalty_for_hard_table())
     changes.push_back(change_of("interface", 2, changed(own, harden)));
   // The number of contact lines affects the results only if the contact edge crosses element faces. With a
   // mesh file, this always happens; with a generated mesh, only if the rim lifts off. Contact with nodal
   // multipliers has no contact lines.
-  if ((!is_full || !study.contact.mesh_file.empty()) &&
-      (!study.table.is_hard() || uses_penalty_for_hard_table(study, own.discretisation)))
+  if ((!is_full || !contact.mesh_file.empty()) && (!is_hard || own.uses_penalty_for_hard_table()))
     add_lines(
       own, [](Variant &variant, unsigned int factor) { variant.discretisation.line_factor *= factor; },
       changes);
@@ -271,12 +274,13 @@ std::vector<BandChange> changes_of_solid(const Variant &own, const ElasticFoot &
 
 } // namespace
 
-std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
-                                     bool is_full)
+std::vector<BandChange> band_changes(const ElasticFoot &foot, const LoadReport &at_rest, bool is_full)
 {
-  const Variant own = own_variant(study, &foot);
-  return abilities(study.contact.body).is_of_revolution ? changes_of_revolution(own, foot, is_full)
-                                                        : changes_of_solid(own, foot, at_rest, is_full);
+  Variant own = { foot.specification() };
+  own.kind = VariantKind::parameter;
+  own.shared = Shared::rings;
+  return abilities(own.study.contact.body).is_of_revolution ? changes_of_revolution(own, foot, is_full)
+                                                            : changes_of_solid(own, foot, at_rest, is_full);
 }
 
 } // namespace stemware::pipeline

@@ -32,11 +32,10 @@ struct BandChange : Variant
   std::optional<RingProjection> ring_projection = {};
 };
 
-/// Returns the changes for the bands of @p study (estimate_bands()). @p foot: the study's foot with its
-/// rings; @p at_rest: load at rest; @p is_full: the whole rim is loaded. Throws BadInput, with the reason, if
+/// Returns the changes for the bands of a study (estimate_bands()). @p foot: the study's foot with its rings;
+/// @p at_rest: load at rest; @p is_full: the whole rim is loaded. Throws BadInput, with the reason, if
 /// no other mesh would be informative: a solid foot whose contact on a hard table is narrower than its cells,
 /// or linear elements from a file if quadratic ones would exceed Contact/Memory limit.
-std::vector<BandChange> band_changes(const Study &study, const ElasticFoot &foot, const LoadReport &at_rest,
-                                     bool is_full);
+std::vector<BandChange> band_changes(const ElasticFoot &foot, const LoadReport &at_rest, bool is_full);
 
 } // namespace stemware::pipeline

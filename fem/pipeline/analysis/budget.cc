@@ -16,7 +16,7 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-void add_row(const ChainStep &step, const std::string &name, const Study &study, const LoadedRow &solved,
+void add_row(const ChainStep &step, const std::string &name, const LoadedRow &solved,
              std::vector<BudgetRow> &rows)
 {
   const ring::Answer &row = solved.row;
@@ -26,23 +26,24 @@ void add_row(const ChainStep &step, const std::string &name, const Study &study,
   for (std::size_t i = 0; i < solved.torques.size(); ++i)
     added.torques.at(i) = unless_nan(solved.torques[i].friction.torque);
   added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
-  added.reason = row.reason.empty() ? grip_holds_note(study, row) : row.reason;
+  added.reason =
+    row.reason.empty() ? grip_holds_note(solved.variant.study.motion.grip_torque, row) : row.reason;
   rows.push_back(added);
 }
 
 WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
 {
   const ring::Answer &answer = solved.row;
-  const Variant &variant = solved.variant;
-  WithoutRow row = { variant.name, answer.omega_terminal() };
+  WithoutRow row = { solved.variant.name, answer.omega_terminal() };
   if (row.omega_terminal && complete.terminal)
     row.difference = *row.omega_terminal - complete.terminal->omega;
-  row.reason = answer.reason.empty() ? grip_holds_note(variant.study, answer) : answer.reason;
+  row.reason =
+    answer.reason.empty() ? grip_holds_note(solved.variant.study.motion.grip_torque, answer) : answer.reason;
   return row;
 }
 
 /// Returns the effect of each changed input on the terminal spin. Effects below rounding are omitted.
-std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedRow> &others)
+std::vector<InputRow> judge_inputs(double rounding_of_spins, const std::vector<LoadedRow> &others)
 {
   std::optional<double> unchanged;
   std::vector<InputRow> rows;
@@ -54,7 +55,7 @@ std::vector<InputRow> judge_inputs(const Study &study, const std::vector<LoadedR
         unchanged = omega;
       if (!unchanged)
         return {};
-      if (omega && std::abs(*omega - *unchanged) > study.rounding_of_spins())
+      if (omega && std::abs(*omega - *unchanged) > rounding_of_spins)
         rows.push_back({ solved.variant.name, *omega - *unchanged });
     }
   return rows;
@@ -96,46 +97,47 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
   return variants;
 }
 
-std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &solved)
+std::vector<BudgetRow> assess_chain(const StudyRows &solved)
 {
+  const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
+  const Variant &own = by_harmonics.back().variant;
   std::vector<BudgetRow> rows;
   for (const LoadedRow &other : solved.others)
     if (other.variant.is_of_chain())
-      add_row(other.variant.step, other.variant.name, other.variant.study, other, rows);
-  if (study.load.source == LoadSource::first_harmonic)
+      add_row(other.variant.step, other.variant.name, other, rows);
+  if (own.study.load.source == LoadSource::first_harmonic)
     return rows;
-  const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const LoadedRow &first = by_harmonics.front();
-  add_row({ 3, study.tilts() }, study.tilts() ? "tilt" : "where the foot touches", study, first, rows);
+  add_row({ 3, own.study.tilts() }, own.study.tilts() ? "tilt" : "where the foot touches", first, rows);
   ChainStep step = { 4 };
   for (std::size_t i = 1; i < by_harmonics.size(); ++i)
   {
-    add_row(step, "harmonics", study, by_harmonics[i], rows);
+    add_row(step, "harmonics", by_harmonics[i], rows);
     ++step.number;
   }
   if (by_harmonics.size() == 1) // in a load file with a single harmonic, the last row equals the first
-    add_row(step, "harmonics", study, first, rows);
+    add_row(step, "harmonics", first, rows);
   BudgetRow &all = rows.back();
   all.harmonics.reset();
   // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
   // pressure is not negative, so the status `formal` (tensile load) does not apply.
-  if (study.load.is_from_contact() && all.status == ring::Status::formal)
+  if (own.study.load.is_from_contact() && all.status == ring::Status::formal)
     all.status = ring::Status::lift_off;
   return rows;
 }
 
-Budget find_budget(const Study &study, const StudyRows &rows)
+Budget find_budget(const StudyRows &rows)
 {
-  const ring::Answer &all = rows.by_harmonics.back().row;
+  const auto &[variant, all, load, torques] = rows.by_harmonics.back();
   Budget budget;
   budget.shown_spins = rows.torque_spins;
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.kind == VariantKind::without)
       budget.without.push_back(judge_without(solved, all));
-  budget.inputs = judge_inputs(study, rows.others);
-  budget.rows = assess_chain(study, rows);
-  budget.harmonics =
-    harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(), study.spin_scale());
+  budget.inputs = judge_inputs(variant.study.rounding_of_spins(), rows.others);
+  budget.rows = assess_chain(rows);
+  budget.harmonics = harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(),
+                                     variant.study.spin_scale());
   return budget;
 }
 

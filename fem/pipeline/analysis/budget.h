@@ -80,9 +80,9 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics.
-std::vector<BudgetRow> assess_chain(const Study &study, const StudyRows &rows);
+std::vector<BudgetRow> assess_chain(const StudyRows &rows);
 
 /// Returns the budget from @p rows, rows_by_harmonics() with budget_variants(); failed rows have a reason.
-Budget find_budget(const Study &study, const StudyRows &rows);
+Budget find_budget(const StudyRows &rows);
 
 } // namespace stemware::pipeline

@@ -2,8 +2,8 @@
 
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/band_changes.h"
-#include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/base/failures.h"
+#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
@@ -47,15 +47,14 @@ struct LoadsAtPhases
   std::vector<BalancedLoad> all, first;
 };
 
-LoadsAtPhases loads_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                       const EvaluationPoints &probe)
+LoadsAtPhases loads_of(const std::shared_ptr<ElasticFoot> &foot, const EvaluationPoints &probe)
 {
   LoadsAtPhases loads;
   for (const ring::Orientation &phase : probe.phases)
   {
-    loads.all.push_back(find_load_at_phase(study, foot, phase));
+    loads.all.push_back(find_load_at_phase(foot, phase));
     if (probe.first)
-      loads.first.push_back(find_load_at_phase(study, foot, phase, 1));
+      loads.first.push_back(find_load_at_phase(foot, phase, 1));
   }
   return loads;
 }
@@ -96,9 +95,9 @@ std::vector<ring::Torques> mean_torques(const std::vector<BalancedLoad> &loads, 
   return mean;
 }
 
-Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const ring::Motion &motion,
-                    const EvaluationPoints &probe)
+Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const EvaluationPoints &probe)
 {
+  const ring::Motion &motion = foot.specification().study.motion.orbit;
   Evaluation found = {};
   const fem::ContactState contact = loads.all.front().contact(0).value();
   found.at_rest = loads.all.front().report();
@@ -114,10 +113,11 @@ Evaluation evaluate(const LoadsAtPhases &loads, const ElasticFoot &foot, const r
 
 /// Returns equally spaced orientations of glass and table, or a single orientation if neither is wavy or if
 /// the glass does not spin up: its torque at rest is the same at all phases.
-std::vector<ring::Orientation> phases_of(const Study &study, const ElasticFoot &foot, double omega)
+std::vector<ring::Orientation> phases_of(const ElasticFoot &foot, double omega)
 {
+  const auto &[study, discretisation, model] = foot.specification();
   const ring::Orientation start = moment_balance(study).orientation;
-  const ring::PhasePeriods periods = phase_periods(study, foot);
+  const ring::PhasePeriods periods = phase_periods(foot);
   if (!periods.any() || std::abs(omega) <= 1e-6 * study.spin_unit())
     return { start };
   constexpr unsigned int n_phases = 4;
@@ -178,13 +178,13 @@ bool has_full_contact(const ring::Answer &all, const LoadReport &at_rest)
          all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
 }
 
-EvaluationPoints probe_of(const Study &study, const ElasticFoot &foot, double omega,
-                          const std::optional<double> &first)
+EvaluationPoints probe_of(const ElasticFoot &foot, double omega, const std::optional<double> &first)
 {
+  const auto &[study, discretisation, model] = foot.specification();
   EvaluationPoints probe;
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
-  probe.phases = phases_of(study, foot, omega);
+  probe.phases = phases_of(foot, omega);
   probe.with_width = study.table.is_hard() && study.glass.profile.crown_radius > 0 &&
                      abilities(study.contact.body).is_of_revolution;
   return probe;
@@ -205,8 +205,8 @@ void add_slope_spins(bool is_full, double spin_scale, EvaluationPoints &probe)
 /// Returns the loads of a changed foot, computed from few contact solves: at rest at every phase, and at the
 /// terminal spin at every phase (at the first phase only, if contact solves are costly). The change of the
 /// load is assumed to be linear in the spin.
-LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
+LoadsAtPhases changed_loads(const std::shared_ptr<ElasticFoot> &foot, const LoadsAtPhases &own_loads,
+                            const EvaluationPoints &probe)
 {
   const auto changed = [&](const std::vector<BalancedLoad> &before, unsigned int n_harmonics, double omega)
   {
@@ -215,7 +215,7 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
     std::optional<Eigen::VectorXd> per_spin;
     for (const BalancedLoad &own : before)
     {
-      const BalancedLoad after = find_load_at_phase(study, foot, probe.phases[loads.size()], n_harmonics);
+      const BalancedLoad after = find_load_at_phase(foot, probe.phases[loads.size()], n_harmonics);
       const unsigned int n = std::max(own.n_harmonics(), after.n_harmonics());
       const auto change_at = [&](double spin) -> Eigen::VectorXd
       { return after.at(spin).coefficients(n) - own.at(spin).coefficients(n); };
@@ -226,7 +226,7 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
           return 0 * at_rest;
         return (change_at(omega) - at_rest) / omega;
       };
-      if (!per_spin || !is_collective(study))
+      if (!per_spin || !foot->body().capabilities().is_collective)
         per_spin = ring::find_or_nullopt(find).value_or(Eigen::VectorXd());
       const auto load = [=, slope = *per_spin](double spin)
       {
@@ -245,20 +245,14 @@ LoadsAtPhases changed_loads(const Study &study, const std::shared_ptr<ElasticFoo
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Returns the evaluation of the changed @p foot. It uses the rings of the study's foot @p own, unless @p
-/// change concerns the rings.
+/// Returns the evaluation of the changed @p foot, foot_of() @p change.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
-                    const ElasticFoot &own, const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
+                    const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
-  if (change.shared == Shared::contact)
-    foot->reset_rings();
-  else
-    foot->set_rings(own.ring_radii(), own.n_harmonics());
-  const bool is_costly = is_collective(change.study) || probe.phases.size() > 1;
-  const LoadsAtPhases loads = is_costly && change.shared != Shared::contact
-                                ? changed_loads(change.study, foot, own_loads, probe)
-                                : loads_of(change.study, foot, probe);
-  return evaluate(loads, *foot, change.study.motion.orbit, probe);
+  const bool is_costly = change.study.is_collective() || probe.phases.size() > 1;
+  return evaluate(is_costly && change.shared != Shared::contact ? changed_loads(foot, own_loads, probe)
+                                                                : loads_of(foot, probe),
+                  *foot, probe);
 }
 
 /// Adds change.factor times |@p after - @p before| of each quantity to the part change.part of its error
@@ -319,23 +313,23 @@ ErrorBands bands_of_solver(const std::vector<QuantityOfInterest> &quantities,
   return bands;
 }
 
-ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const ring::Answer &all,
-                    const std::optional<double> &first, const Executor &executor, Progress &progress,
+ErrorBands bands_of(const Analysis &analysis, const ring::Answer &all, const std::optional<double> &first,
                     const std::vector<QuantityOfInterest> &reported)
 {
-  EvaluationPoints probe = probe_of(study, *foot, all.terminal->omega, first);
-  const ring::Motion &motion = study.motion.orbit;
-  const LoadsAtPhases own_loads = loads_of(study, foot, probe);
+  const Study &study = analysis.study;
+  const std::shared_ptr<ElasticFoot> &foot = analysis.foot;
+  EvaluationPoints probe = probe_of(*foot, all.terminal->omega, first);
+  const LoadsAtPhases own_loads = loads_of(foot, probe);
   const bool is_full = has_full_contact(all, own_loads.all.front().report());
   add_slope_spins(is_full, study.spin_unit(), probe);
-  Evaluation own = evaluate(own_loads, *foot, motion, probe);
+  Evaluation own = evaluate(own_loads, *foot, probe);
   if (first)
   {
     const auto torque = [&](double omega)
-    { return mean_torques(own_loads.first, motion, { omega }).front().torque(); };
+    { return mean_torques(own_loads.first, study.motion.orbit, { omega }).front().torque(); };
     own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, study.spin_unit()));
   }
-  std::vector<BandChange> changes = band_changes(study, *foot, own.at_rest, is_full);
+  std::vector<BandChange> changes = band_changes(*foot, own.at_rest, is_full);
   const auto quantities = [&](const Evaluation &found)
   { return quantities_from(found, probe, own, all, study); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
@@ -345,19 +339,19 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   for (auto change = with_rings; change != changes.end(); ++change)
   {
     const LoadsAtPhases loads = projected(own_loads, *foot, *change->ring_projection);
-    add_part(*change, unchanged, quantities(evaluate(loads, *foot, motion, probe)), bands);
+    add_part(*change, unchanged, quantities(evaluate(loads, *foot, probe)), bands);
   }
   changes.erase(with_rings, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
-  { return evaluate(change, its_foot, *foot, own_loads, probe); };
-  const auto done = [&, tell = counting_callback(progress, "error bands", changes.size())](
+  { return evaluate(change, its_foot, own_loads, probe); };
+  const auto done = [&, tell = counting_callback(analysis.executor.progress, "error bands", changes.size())](
                       std::size_t i, const Solved<Evaluation> &solved) mutable
   {
     solved.value(); // rethrows a failure; then no error bands are given
     tell(i, solved);
   };
-  const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, executor, done);
+  const std::vector<Solved<Evaluation>> found = solve(changes, foot, look_at, analysis.executor, done);
   // The quantities after the first change of each part are the reference of later changes (BandChange::from).
   std::map<std::string, std::vector<QuantityOfInterest>> by_part;
   for (std::size_t i = 0; i < changes.size(); ++i)
@@ -376,22 +370,20 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
 
 } // namespace
 
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          const ring::Answer &all, const std::optional<double> &first,
-                          const Executor &executor, Progress &progress,
-                          const std::vector<QuantityOfInterest> &reported)
+ErrorBands estimate_bands(const Analysis &analysis, const ring::Answer &all,
+                          const std::optional<double> &first, const std::vector<QuantityOfInterest> &reported)
 {
-  if (!foot || !all.terminal)
+  if (!analysis.foot || !all.terminal)
     return {};
   try
   {
-    return bands_of(study, foot, all, first, executor, progress, reported);
+    return bands_of(analysis, all, first, reported);
   }
   catch (const std::exception &failure)
   {
-    if (!executor.keeps_all_failures && !is_variant_failure(failure))
+    if (!analysis.executor.keeps_all_failures && !is_variant_failure(failure))
       throw;
-    progress.note("No band", failure.what());
+    analysis.executor.progress.note("No band", failure.what());
   }
   return {};
 }

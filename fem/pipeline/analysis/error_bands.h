@@ -22,10 +22,10 @@ namespace stemware::pipeline
 /// @p all: row of all harmonics; @p first: terminal spin of the first harmonic only, if any; @p reported:
 /// known values, which replace computed ones (equal up to the solver's tolerance). A quantity without a value
 /// after a change has no band. Returns an empty list for a load without a contact, if a changed contact
-/// fails, or if no other mesh is informative; @p progress receives the reason. Collective if the body is.
-ErrorBands estimate_bands(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                          const ring::Answer &all, const std::optional<double> &first,
-                          const Executor &executor, Progress &progress = silent_progress(),
+/// fails, or if no other mesh is informative; the executor's progress receives the reason. Collective if the
+/// body is.
+ErrorBands estimate_bands(const Analysis &analysis, const ring::Answer &all,
+                          const std::optional<double> &first,
                           const std::vector<QuantityOfInterest> &reported = {});
 
 /// Returns the quantities whose values the results of a study state: of the load @p at_rest, and the torque

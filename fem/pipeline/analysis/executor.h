@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/base/progress.h"
+#include "fem/pipeline/coupling/elastic_foot.h"
 
 #include <cstddef>
 #include <functional>
@@ -9,14 +10,16 @@
 namespace stemware::pipeline
 {
 
-/// Maker of the feet of variants, and threads to solve them; no effect on results. One caller at a time.
+/// Maker of the feet of variants, threads to solve them, and progress; no effect on results. One caller at a
+/// time.
 struct Executor
 {
   using Work = std::function<void(std::size_t)>;
 
-  /// Creates an executor with one thread.
-  explicit Executor(FootMaker make_foot)
+  /// Creates an executor with one thread. @p progress must outlive the executor.
+  explicit Executor(FootMaker make_foot, Progress &progress = silent_progress())
       : make_foot(std::move(make_foot))
+      , progress(progress)
   {
   }
 
@@ -32,6 +35,7 @@ struct Executor
   }
 
   FootMaker make_foot;
+  Progress &progress;
   /// True if every failure affects its own variant only. On several ranks this holds for
   /// is_variant_failure(), which occurs on all ranks; other failures end the work.
   bool keeps_all_failures = true;

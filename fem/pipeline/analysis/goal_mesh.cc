@@ -20,13 +20,13 @@ namespace
 
 /// Returns the friction torque tau_z at @p omega as a goal, linearised at @p state. Adds the lean torque if
 /// @p with_lean is true.
-fem::ContactGoal torque_goal(const Study &study, const fem::ContactState &state, double omega, bool with_lean)
+fem::ContactGoal torque_goal(const ring::Motion &motion, const fem::ContactState &state, double omega,
+                             bool with_lean)
 {
   fem::ContactGoal goal;
   goal.ring_radii = state.load.radii();
-  goal.of_load =
-    ring::friction_functionals(study.motion.orbit, goal.ring_radii, state.load.n_harmonics(), omega).torque;
-  if (with_lean && study.tilts())
+  goal.of_load = ring::friction_functionals(motion, goal.ring_radii, state.load.n_harmonics(), omega).torque;
+  if (with_lean)
   {
     // The lean torque is -q1 M_Nx - q2 M_Ny.
     goal.of_moment = -state.solution.motion.tail<2>();
@@ -64,16 +64,17 @@ void scale(fem::MeshError &error, double factor)
 /// first.
 constexpr double marked_share = 0.8;
 
-GoalError error_of(const Study &study, const Discretisation &discretisation, const Executor &executor)
+GoalError error_of(const FootSpecification &specification, const Executor &executor)
 {
-  const auto foot = foot_of({ VariantKind::study, "", study, discretisation }, nullptr, executor);
+  const auto foot = foot_of({ specification }, nullptr, executor);
   ensure(foot->body().capabilities().glass_period == 0,
          "Contact/Goal needs a foot whose load does not depend on the direction of the moment, but this "
          "Contact/Mesh file is not axisymmetric; set Contact/Goal = none.");
-  const BalancedLoad load = find_load(study, foot);
-  const ring::Question question = { study.motion.orbit, study.motion.grip_torque };
+  const BalancedLoad load = find_load(specification.study, foot);
+  const MotionSection &motion = specification.study.motion;
+  const ring::Question question = { motion.orbit, motion.grip_torque };
   const double omega = ring::answer(load, question).value().omega_terminal().value();
-  const auto found = goal_error(study, *foot, load, omega, study.contact.goal, true);
+  const auto found = goal_error(*foot, load, omega, specification.study.contact.goal, true);
   if (!found)
     throw std::runtime_error(
       "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "
@@ -88,13 +89,13 @@ double sum_of_shares(const fem::MeshError &error)
 
 /// Throws if the next mesh for a goal exceeds the memory limit. @p before: error on the mesh before the last
 /// halvings of @p meshed. Halving replaces a cell by 8 cells; linear elements have 4.5 unknowns per cell.
-void require_memory(const Study &study, const Discretisation &meshed, const GoalError &before)
+void require_memory(const ContactSection &contact, const Discretisation &meshed, const GoalError &before)
 {
   constexpr double per_unknown = 10e3; // measured [bytes]; most of the memory is used by the error estimate
   const double n_cells =
     static_cast<double>(before.error.cells.size() + 7 * meshed.halved_cells.back().size());
-  const double memory = per_unknown * 4.5 * n_cells * std::pow(study.contact.degree, 3);
-  if (memory > study.contact.memory_limit)
+  const double memory = per_unknown * 4.5 * n_cells * std::pow(contact.degree, 3);
+  if (memory > contact.memory_limit)
     throw std::runtime_error(
       fmt::format(FMT_STRING("The error of the goal is {:.1e} of its value, but the next mesh would have "
                              "{:.2g} cells and need about {:.2g} GB of memory; increase Contact/Goal "
@@ -105,9 +106,10 @@ void require_memory(const Study &study, const Discretisation &meshed, const Goal
 
 } // namespace
 
-std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
-                                    double omega_terminal, Goal goal, bool with_cells)
+std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad &load, double omega_terminal,
+                                    Goal goal, bool with_cells)
 {
+  const auto &[study, discretisation, model] = foot.specification();
   if (abilities(study.contact.body).is_of_revolution || !load.contact(0) || foot.ring_radii().empty() ||
       foot.body().capabilities().glass_period > 0 || goal == Goal::none)
     return std::nullopt;
@@ -116,9 +118,9 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
                        : goal == Goal::torque      ? omega_terminal / 2
                                                    : 0;
   const fem::ContactState state = *load.contact(omega);
-  const fem::ContactGoal functional = goal == Goal::a2
-                                        ? second_harmonic_goal(state)
-                                        : torque_goal(study, state, omega, goal == Goal::terminal_spin);
+  const fem::ContactGoal functional =
+    goal == Goal::a2 ? second_harmonic_goal(state)
+                     : torque_goal(motion, state, omega, goal == Goal::terminal_spin && study.tilts());
   std::optional<fem::MeshError> error = foot.body().mesh_error(state, functional, with_cells);
   if (!error)
     return std::nullopt;
@@ -133,7 +135,7 @@ std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot,
   return result;
 }
 
-MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress &progress)
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor)
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
     return { {}, std::nullopt };
@@ -142,16 +144,17 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
   Discretisation meshed;
   for (unsigned int n_meshes = 1;; ++n_meshes)
   {
-    const GoalError found = error_of(study, meshed, executor);
+    const GoalError found = error_of({ study, meshed }, executor);
     const double allowed = study.contact.goal_tolerance * std::abs(found.value);
-    progress.pieces_done("meshes for the goal", n_meshes, 0);
+    executor.progress.pieces_done("meshes for the goal", n_meshes, 0);
     if (std::abs(found.error.correction) <= allowed &&
         sum_of_shares(found.error) <= allowed_cancelling * allowed)
     {
       const std::size_t n_cells = found.error.cells.size();
-      progress.note("Mesh", fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
-                                                   "goal {:.1e} of its value"),
-                                        n_cells, n_meshes, std::abs(found.error.correction / found.value)));
+      executor.progress.note("Mesh",
+                             fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
+                                                    "goal {:.1e} of its value"),
+                                         n_cells, n_meshes, std::abs(found.error.correction / found.value)));
       return { std::move(meshed), GoalOutcome{ found.value, found.error.correction, n_meshes, n_cells } };
     }
     if (n_meshes == max_meshes)
@@ -160,7 +163,7 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor, Progress
                    "Contact/Goal tolerance = {:g}; give a larger tolerance."),
         std::abs(found.error.correction / found.value), max_meshes, study.contact.goal_tolerance));
     meshed.halved_cells.push_back(found.error.mark(marked_share));
-    require_memory(study, meshed, found);
+    require_memory(study.contact, meshed, found);
   }
 }
 

@@ -24,11 +24,11 @@ struct GoalError
 ///   a2              a_2 / a_0 of the load at rest
 ///   torque          tau_z at half the terminal spin [N m]
 ///
-/// @p load: find_load() of the study; @p omega_terminal: its terminal spin [rad/s]; @p with_cells: also the
-/// cells' shares. May solve a contact. Returns std::nullopt for a body of revolution, without a contact or a
-/// balance, for one ring, and for a foot whose load depends on the direction of the moment.
-std::optional<GoalError> goal_error(const Study &study, const ElasticFoot &foot, const BalancedLoad &load,
-                                    double omega_terminal, Goal goal, bool with_cells = false);
+/// @p load: find_load() of the foot's study; @p omega_terminal: its terminal spin [rad/s]; @p with_cells:
+/// also the cells' shares. May solve a contact. Returns std::nullopt for a body of revolution, without a
+/// contact or a balance, for one ring, and for a foot whose load depends on the direction of the moment.
+std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad &load, double omega_terminal,
+                                    Goal goal, bool with_cells = false);
 
 /// Value of the goal with its estimated remaining error.
 struct GoalOutcome
@@ -48,11 +48,10 @@ struct MeshForGoal
 
 /// Returns the discretisation of @p study; the default without a goal. On each mesh, the cells with most of
 /// the error are halved. The last mesh meets two conditions: the estimated error of Contact/Goal is within
-/// its tolerance, and the sum of the cells' absolute shares in this error is within five tolerances. @p
-/// progress receives the meshes. Throws BadInput for a mesh file whose load depends on the direction of the
-/// moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or the estimate fails;
-/// and as find_load() and ring::terminal_spin(). Collective if the body is.
-MeshForGoal mesh_for_goal(const Study &study, const Executor &executor,
-                          Progress &progress = silent_progress());
+/// its tolerance, and the sum of the cells' absolute shares in this error is within five tolerances. The
+/// progress of @p executor receives the meshes. Throws BadInput for a mesh file whose load depends on the
+/// direction of the moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or
+/// the estimate fails; and as find_load() and ring::terminal_spin(). Collective if the body is.
+MeshForGoal mesh_for_goal(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

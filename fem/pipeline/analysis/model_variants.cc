@@ -39,10 +39,11 @@ Study paper_study(Study study)
   return study;
 }
 
-bool has_compliance(const Study &study, const Model &model)
+bool has_compliance(const FootSpecification &specification)
 {
-  return study.table.interface != TableInterface::hard || study.table.substrate == TableSubstrate::elastic ||
-         !model.foot_is_rigid;
+  const TableSection &table = specification.study.table;
+  return table.interface != TableInterface::hard || table.substrate == TableSubstrate::elastic ||
+         !specification.model.foot_is_rigid;
 }
 
 std::vector<Variant> model_chain(const Study &study)
@@ -50,7 +51,7 @@ std::vector<Variant> model_chain(const Study &study)
   std::vector<Variant> chain;
   const auto add = [&](const ChainStep &step, const char *name, const Study &model)
   {
-    Variant &variant = chain.emplace_back(Variant{ VariantKind::chain, name, model });
+    Variant &variant = chain.emplace_back(Variant{ { model }, VariantKind::chain, name });
     variant.n_harmonics = 1;
     variant.shared = Shared::foot;
     variant.step = step;
@@ -92,7 +93,7 @@ std::vector<Variant> input_variants(const Study &study)
   const auto add = [&](const char *name, const std::function<void(MotionSection &)> &change)
   {
     Variant &variant =
-      variants.emplace_back(Variant{ VariantKind::input, name, first_harmonic_study(study) });
+      variants.emplace_back(Variant{ { first_harmonic_study(study) }, VariantKind::input, name });
     variant.n_harmonics = 1;
     variant.shared = Shared::foot;
     change(variant.study.motion);
@@ -126,7 +127,7 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
     variant.name = name;
     leave_out(variant);
     const bool is_solid = !abilities(study.contact.body).is_of_revolution;
-    if (!has_compliance(variant.study, variant.model))
+    if (!has_compliance(variant))
       variant.reason = "not defined";
     else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
              variant.study.table.is_hard() && !study.table.is_hard())

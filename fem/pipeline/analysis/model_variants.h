@@ -25,6 +25,6 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase 
 std::vector<Variant> input_variants(const Study &study);
 
 /// Returns true if foot, substrate or interface is compliant; otherwise the pressure is undefined.
-bool has_compliance(const Study &study, const Model &model);
+bool has_compliance(const FootSpecification &specification);
 
 } // namespace stemware::pipeline

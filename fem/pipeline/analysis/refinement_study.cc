@@ -66,7 +66,7 @@ std::vector<RefinementAxis> refinement_axes(Study study, unsigned int n_levels)
       check_study(study);
       axis.sizes.push_back(size);
       axis.levels.push_back(
-        { VariantKind::parameter, std::to_string(size) + " of the refinement in " + axis.key, study });
+        { { study }, VariantKind::parameter, std::to_string(size) + " of the refinement in " + axis.key });
     };
     if (step > 0 ? own % (2 * step) == 0 && own / 2 >= min : own > min)
       add(step > 0 ? own / 2 : own - 1);
@@ -115,7 +115,7 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
 }
 
 ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
-                  const Executor &executor, Progress &progress)
+                  const Executor &executor)
 {
   std::vector<double> spins;
   for (const QuantityOfInterest &quantity : own)
@@ -129,8 +129,8 @@ ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<Refine
         open.push_back(axis.levels[l]);
   const auto quantities_at = [&](const Variant &level, const std::shared_ptr<ElasticFoot> &foot)
   { return quantities_of_load(level.study, find_load(level.study, foot), spins, near); };
-  const auto solved =
-    solve(open, nullptr, quantities_at, executor, counting_callback(progress, "levels", open.size()));
+  const auto solved = solve(open, nullptr, quantities_at, executor,
+                            counting_callback(executor.progress, "levels", open.size()));
   for (std::size_t i = 0; i < open.size(); ++i)
     if (solved[i].failure)
       throw ring::NoBalance("Level " + open[i].name + ": " + ring::failed_answer(solved[i].failure).reason);

@@ -55,6 +55,6 @@ RefinementSequence assess_convergence(const std::vector<double> &values, AxisKin
 /// finer levels) and of the bands of harmonics and lines. Throws ring::NoBalance with the name of the first
 /// level that fails.
 ErrorBands refine(const std::vector<QuantityOfInterest> &own, std::vector<RefinementAxis> &axes,
-                  const Executor &executor, Progress &progress = silent_progress());
+                  const Executor &executor);
 
 } // namespace stemware::pipeline

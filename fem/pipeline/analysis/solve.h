@@ -37,16 +37,25 @@ struct Solved
 /// Returns true for bad input, and for a contact or a balance that does not exist: the variant has no value.
 bool is_variant_failure(const std::exception &failure);
 
+/// Study on its foot, with the executor that solves its variants.
+struct Analysis
+{
+  const Study &study;
+  std::shared_ptr<ElasticFoot> foot; ///< study_foot() of the study; nullptr for a load without a contact
+  const Executor &executor;
+
+  /// Returns the study itself as a variant.
+  Variant own() const { return { foot ? foot->specification() : FootSpecification(study) }; }
+};
+
 /// Returns the foot of @p variant: a clone of @p foot, the study's foot, if the variant uses it; else a new
-/// foot, with initial guesses predicted from @p foot, if given. Throws ring::Tipping if the variant tips at
-/// rest, and BadInput if it is not to be solved or if its foot cannot be made (mesh, factorisation).
+/// foot, with initial guesses predicted from @p foot, if given, and its rings for Shared::rings. Throws
+/// ring::Tipping if the variant tips at rest, and BadInput if it is not to be solved or if its foot cannot be
+/// made (mesh, factorisation).
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 
-/// Returns true if all ranks must solve the foot of @p study together.
-bool is_collective(const Study &study);
-
-/// Returns true if one of the variants is_collective().
+/// Returns true if all ranks must solve the foot of one of the variants together.
 template <typename Variants>
 bool any_is_collective(const Variants & /*variants*/)
 {
@@ -56,7 +65,7 @@ template <typename AnyVariant>
 bool any_is_collective(const std::vector<AnyVariant> &variants)
 {
   return std::any_of(variants.begin(), variants.end(),
-                     [](const AnyVariant &variant) { return is_collective(variant.study); });
+                     [](const AnyVariant &variant) { return variant.study.is_collective(); });
 }
 
 /// Returns a relative cost, used to start expensive variants first; zero for lazily created variants.
@@ -69,7 +78,7 @@ template <typename AnyVariant>
 std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
 {
   const Variant &variant = variants[i];
-  return { (variant.shared != Shared::nothing ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
+  return { (variant.shared > Shared::rings ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
            variant.study.contact.degree + variant.discretisation.halvings_beyond_zone };
 }
 

@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
 #include "fem/pipeline/analysis/model_variants.h"
-#include "fem/pipeline/coupling/foot_load.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/hand_drive.h"
@@ -24,8 +23,8 @@ double half_range(const std::vector<double> &values)
 
 /// Returns the pointwise minimum [N/rad] of the contact at the spin @p omega [rad/s], solved at the phase at
 /// which the interpolated load is least.
-double least_load_over_phases(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                              const ring::PhaseSampledLoad &loads, double omega)
+double least_load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ring::PhaseSampledLoad &loads,
+                              double omega)
 {
   constexpr unsigned int n_phases = 64; // the sampled phases, often 8, may miss the least load
   ring::PhaseGrids grids = loads.phases();
@@ -38,23 +37,22 @@ double least_load_over_phases(const Study &study, const std::shared_ptr<ElasticF
     minima.push_back(loads.at(omega, grids.phase(i)).minimum());
   const auto least = std::min_element(minima.begin(), minima.end());
   const auto phase = grids.phase(static_cast<unsigned int>(least - minima.begin()));
-  return find_load_at_phase(study, foot, phase).contact(omega).value().load.least;
+  return find_load_at_phase(foot, phase).contact(omega).value().load.least;
 }
 
-PhaseStudy study_phases(const Study &of_study, const std::shared_ptr<ElasticFoot> &foot,
-                        const BalancedLoad &load, const ring::Answer &row)
+PhaseStudy study_phases(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
+                        const ring::Answer &row)
 {
   const ring::PhaseSampledLoad &loads = *load.phases();
-  const ring::Motion &motion = of_study.motion.orbit;
+  const ring::Motion &motion = foot->specification().study.motion.orbit;
   PhaseStudy study;
   study.spin_ripple = row.ripple;
   study.spin_uncertainty = row.spin_uncertainty;
   study.zero_of_mean_torque = row.zero_of_mean_torque;
-  const double at_rest = least_load_over_phases(of_study, foot, loads, 0);
+  const double at_rest = least_load_over_phases(foot, loads, 0);
   study.least_load = at_rest;
   if (row.omega_terminal())
-    study.least_load =
-      std::min(at_rest, least_load_over_phases(of_study, foot, loads, *row.omega_terminal()));
+    study.least_load = std::min(at_rest, least_load_over_phases(foot, loads, *row.omega_terminal()));
   study.least_load_is_at_rest = study.least_load >= at_rest;
   study.least_contact_fraction = load.report().least_contact_fraction.value();
   study.n_glass_phases = loads.phases().glass.size();
@@ -69,11 +67,13 @@ PhaseStudy study_phases(const Study &of_study, const std::shared_ptr<ElasticFoot
   return study;
 }
 
-std::optional<Variant> variant_on_one_ring(const Study &study)
+std::optional<Variant> variant_on_one_ring(const Variant &own)
 {
-  if (!study.load.is_from_contact() || study.contact.rings == 1)
+  if (!own.study.load.is_from_contact() || own.study.contact.rings == 1)
     return std::nullopt;
-  Variant one_ring = { VariantKind::one_ring, "one ring", study };
+  Variant one_ring = own;
+  one_ring.kind = VariantKind::one_ring;
+  one_ring.name = "one ring";
   one_ring.study.contact.rings = 1;
   one_ring.shared = Shared::contact; // the contact solution at rest does not depend on the rings
   return one_ring;
@@ -103,12 +103,57 @@ std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &que
                     .value_or(std::vector<ring::YawSample>()));
 }
 
+/// Returns the end of the plotted torque curve of @p row [rad/s]: @p fastest, or, if below 0.01 @p spin_unit,
+/// a tenth of this unit in the direction of the torque.
+double shown_spin(double spin_unit, const ring::Answer &row, double fastest)
+{
+  if (std::abs(fastest) >= 0.01 * spin_unit)
+    return fastest;
+  const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
+  return std::copysign(0.1 * spin_unit, fastest != 0 ? fastest : torque);
+}
+
+/// Returns the spin-up with Motion/Orbit speed file, if given, at @p times, with the contact in balance at
+/// every instant. @p radius: contact radius [m]; @p foot: as in driven_torque(). Throws as the torque and
+/// @p observer.
+std::optional<DrivenSpinUp> driven_spin_up(const MotionSection &motion, double radius,
+                                           const std::shared_ptr<ElasticFoot> &foot,
+                                           const std::vector<double> &times,
+                                           const ring::TimeObserver &observer)
+{
+  if (!motion.orbit_speeds)
+    return std::nullopt;
+  const ring::OrbitSpeedTable &speeds = *motion.orbit_speeds;
+  DrivenSpinUp driven;
+  if (speeds.starts_from_rest())
+    driven.breakaway = find_breakaway(motion, radius, foot);
+  // A step takes about a dozen contact solves, and measured speeds are less accurate than 1e-6.
+  const double accuracy = foot ? 1e-6 : 1e-10;
+  const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(motion, radius, foot), observer);
+  const std::vector<ring::YawSample> samples =
+    ring::driven_motion(torque, speeds, motion.orbit, motion.grip_torque, radius, times, accuracy);
+  const std::vector<double> changes =
+    ring::interpolation_changes(motion.closure, motion.orbit, motion.grip_torque, radius, speeds, times);
+  driven.time = times;
+  for (const double time : times)
+  {
+    driven.speed.push_back(speeds.speed(time));
+    driven.acceleration.push_back(speeds.acceleration(time));
+  }
+  driven.omega = spins_of(samples);
+  driven.integration_error = accuracy * motion.orbit.orbit_speed / radius;
+  driven.interpolation_change_at_end = changes.back();
+  driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
+  return driven;
+}
+
 } // namespace
 
-CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
+CurveLoad curve_load(const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
   const ring::Answer &all = rows.back().row;
+  const double spin_unit = rows.back().variant.study.spin_unit();
   double last = 0;
   if (all.fall)
     last = all.fall->omega;
@@ -118,10 +163,10 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
     for (const LoadedRow &row : rows)
       if (std::abs(row.row.omega_terminal().value_or(0)) > std::abs(fastest))
         fastest = *row.row.omega_terminal();
-    last = 1.5 * shown_spin(study, all, fastest);
+    last = 1.5 * shown_spin(spin_unit, all, fastest);
   }
   if (last == 0) // the glass tips as soon as it turns
-    last = 1e-3 * study.spin_unit();
+    last = 1e-3 * spin_unit;
   int first = -n_intervals / 8;
   if (const ring::PhaseSampledLoad *phases = rows.back().load->phases())
   {
@@ -143,18 +188,18 @@ CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows)
   return { spins, ring::interpolated_for_curves(*rows.back().load, all, spins.front(), spins.back()) };
 }
 
-StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const CurveLoad &of_all, const Executor &executor, double euler_step,
-                        const ring::TimeObserver &observer)
+StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper, const CurveLoad &of_all,
+                        const Executor &executor, double euler_step, const ring::TimeObserver &observer)
 {
+  const Variant &own = rows.back().variant;
   const std::vector<double> &spins = of_all.spins;
-  const std::vector<double> times = ring::output_times(study.motion.end_time);
-  const ring::Question question = spin_question(study);
+  const std::vector<double> times = ring::output_times(own.study.motion.end_time);
+  const ring::Question question = spin_question(own.study);
   StudyCurves curves;
   SpinUpCurves &up = curves.spin_up;
   TorqueCurve &torque = curves.torque;
   torque.omega = spins;
-  torque.spin_scale = of_all.load.spin_scale(study.motion.orbit);
+  torque.spin_scale = of_all.load.spin_scale(own.study.motion.orbit);
   const auto find_all = [&]
   {
     const std::optional<ring::Fall> &fall = rows.back().row.fall;
@@ -186,7 +231,7 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
   };
   const bool has_first = rows.size() > 1;
   executor.for_each(
-    has_first ? 2 : 1, [&](std::size_t i) { i == 0 ? find_all() : find_first(); }, is_collective(study));
+    has_first ? 2 : 1, [&](std::size_t i) { i == 0 ? find_all() : find_first(); }, own.study.is_collective());
   if (!has_first)
     up.first_harmonic = up.adaptive;
   if (paper.load)
@@ -196,37 +241,6 @@ StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, 
     up.paper = spin_up_of(*paper.load, of_paper, times, paper.row.fall);
   }
   return curves;
-}
-
-std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                           const std::vector<double> &times,
-                                           const ring::TimeObserver &observer)
-{
-  if (!study.motion.orbit_speeds)
-    return std::nullopt;
-  const ring::OrbitSpeedTable &speeds = *study.motion.orbit_speeds;
-  DrivenSpinUp driven;
-  if (speeds.starts_from_rest())
-    driven.breakaway = find_breakaway(study, foot, speeds);
-  // A step takes about a dozen contact solves, and measured speeds are less accurate than 1e-6.
-  const double accuracy = study.load.is_from_contact() ? 1e-6 : 1e-10;
-  const double radius = study.glass.profile.contact_radius, grip = study.motion.grip_torque;
-  const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(study, foot, speeds), observer);
-  const std::vector<ring::YawSample> samples =
-    ring::driven_motion(torque, speeds, study.motion.orbit, grip, radius, times, accuracy);
-  const std::vector<double> changes =
-    ring::interpolation_changes(study.motion.closure, study.motion.orbit, grip, radius, speeds, times);
-  driven.time = times;
-  for (const double time : times)
-  {
-    driven.speed.push_back(speeds.speed(time));
-    driven.acceleration.push_back(speeds.acceleration(time));
-  }
-  driven.omega = spins_of(samples);
-  driven.integration_error = accuracy * study.motion.orbit.orbit_speed / radius;
-  driven.interpolation_change_at_end = changes.back();
-  driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
-  return driven;
 }
 
 std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band)
@@ -239,13 +253,14 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
   return driven->integration_error + std::abs(driven->omega.back() / *omega) * *band;
 }
 
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     const Executor &executor, Progress &progress, Depth depth)
+SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth depth)
 {
-  std::vector<Variant> others = budget_variants(own_variant(study, foot.get()), load.phases() != nullptr);
+  const auto &[study, foot, executor] = analysis;
+  const Variant own = analysis.own();
+  std::vector<Variant> others = budget_variants(own, load.phases() != nullptr);
   if (depth != Depth::full)
     others.erase(others.begin() + 1, others.end()); // keeps the paper's model only
-  else if (const std::optional<Variant> one_ring = variant_on_one_ring(study))
+  else if (const std::optional<Variant> one_ring = variant_on_one_ring(own))
     others.push_back(*one_ring);
   // The spins of the curves may include a spin at which the glass tips and which the search for the terminal
   // spin missed. The rows are then solved again.
@@ -254,31 +269,32 @@ SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foo
   CurveLoad curve = { {}, load };
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
-    solved = rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, depth, others);
-    curve = curve_load(study, solved.by_harmonics);
+    solved = rows_by_harmonics(analysis, load, depth, others);
+    curve = curve_load(solved.by_harmonics);
     if (!load.nearest_unbalanced_spin(solved.by_harmonics.back().row.last_spin().value_or(0)))
       break;
   }
-  const ring::TimeObserver observer = motion_observer(progress);
-  SpinStudy result = { find_curves(study, solved.by_harmonics, solved.others.front(), curve, executor,
+  const ring::TimeObserver observer = motion_observer(executor.progress);
+  SpinStudy result = { find_curves(solved.by_harmonics, solved.others.front(), curve, executor,
                                    study.motion.euler_step, observer) };
   // With a solid foot, each torque evaluation takes minutes, so no further terminal spins are searched for.
-  const bool is_slow = study.load.is_in_balance() && is_collective(study);
+  const bool is_slow = study.load.is_in_balance() && study.is_collective();
   if (depth == Depth::full)
-    result.budget = find_budget(study, solved);
+    result.budget = find_budget(solved);
   if (!is_slow)
     result.terminal_spins = ring::terminal_spins(load, spin_question(study), solved.by_harmonics.back().row);
   for (const LoadedRow &row : solved.by_harmonics)
     result.rows.push_back(row.row);
   if (load.phases())
-    result.phases = study_phases(study, foot, load, result.answer());
+    result.phases = study_phases(foot, load, result.answer());
   for (const LoadedRow &other : solved.others)
     if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = compared_with_full(other.row, result.answer());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.load);
   result.curve_error = curve.load.interpolation_error();
-  result.spin_up.driven = driven_spin_up(study, foot, result.spin_up.time, observer);
+  result.spin_up.driven =
+    driven_spin_up(study.motion, study.glass.profile.contact_radius, foot, result.spin_up.time, observer);
   if (depth != Depth::full)
     result.budget.harmonics = harmonic_effect(result.rows.front().omega_terminal(),
                                               result.answer().omega_terminal(), study.spin_scale());

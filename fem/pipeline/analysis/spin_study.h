@@ -116,27 +116,19 @@ struct CurveLoad
 };
 
 /// Returns the load of the last of @p rows for curves.
-CurveLoad curve_load(const Study &study, const std::vector<LoadedRow> &rows);
+CurveLoad curve_load(const std::vector<LoadedRow> &rows);
 
 /// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
 /// at the spins of @p of_all and over the time of the study. @p euler_step: longest Euler step [s], 0: none;
 /// @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is lost.
-StudyCurves find_curves(const Study &study, const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const CurveLoad &of_all, const Executor &executor, double euler_step = 0,
+StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper, const CurveLoad &of_all,
+                        const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
-/// Returns the spin-up with Motion/Orbit speed file, if given, at @p times, with the contact in balance at
-/// every instant. @p foot: study_foot() with its rings. Throws as the torque and @p observer.
-std::optional<DrivenSpinUp> driven_spin_up(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                           const std::vector<double> &times,
-                                           const ring::TimeObserver &observer = {});
-
 /// Solves a study: all results, or with Depth::answer the answer, its curves and the effect of the harmonics.
-/// @p foot: study_foot(); @p load: find_load() of the foot; @p executor solves other models. If the glass
-/// tips during the spin-up, the last row has a `fall`. Throws ring::NoBalance if there is no terminal spin
-/// otherwise, or if the spin does not settle (waviness); and as contact solves and balances.
-SpinStudy study_spin(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                     const Executor &executor, Progress &progress = silent_progress(),
-                     Depth depth = Depth::full);
+/// @p load: find_load() of the analysed study. If the glass tips during the spin-up, the last row has a
+/// `fall`. Throws ring::NoBalance if there is no terminal spin otherwise, or if the spin does not settle
+/// (waviness); and as contact solves and balances.
+SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth depth = Depth::full);
 
 } // namespace stemware::pipeline

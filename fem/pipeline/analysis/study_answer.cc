@@ -32,29 +32,29 @@ std::string size_text(const fem::FootDescription &foot)
   return text;
 }
 
-/// Returns study_foot(); nullptr if the load has no contact. Reports the size of the foot to @p progress.
-std::shared_ptr<ElasticFoot> announced_foot(const Study &study, const Executor &executor, Progress &progress,
-                                            const Discretisation &discretisation = {},
+/// Returns study_foot(); nullptr if the load has no contact. Reports the size of the foot.
+std::shared_ptr<ElasticFoot> announced_foot(const FootSpecification &specification, const Executor &executor,
                                             const ElasticFoot *similar = nullptr)
 {
   std::shared_ptr<ElasticFoot> foot;
+  Progress &progress = executor.progress;
   executor.for_each(
-    1, [&](std::size_t) { foot = study_foot(study, executor.make_foot, progress, similar, discretisation); },
-    is_collective(study));
+    1, [&](std::size_t) { foot = study_foot(specification, executor.make_foot, progress, similar); },
+    specification.study.is_collective());
   if (!foot)
     return foot;
   progress.note("Foot", size_text(foot->body().description()));
-  if (const std::string note = friction_note(study); !note.empty())
+  if (const std::string note = specification.study.friction_note(); !note.empty())
     progress.note("Friction", note);
-  if (const std::string note = frozen_note(study); !note.empty())
+  if (const std::string note = specification.study.frozen_note(); !note.empty())
     progress.note("Coupling", note);
   return foot;
 }
 
 /// Returns the terminal spin of a load that has only the first harmonic, on a ring of the contact radius.
-Number omega_on_ring(const Study &study, ring::Closure closure)
+Number omega_on_ring(const ring::Motion &motion, ring::Closure closure, double contact_radius)
 {
-  return ring::answer(first_harmonic_load(study, closure), { study.motion.orbit }).omega_terminal();
+  return ring::answer(first_harmonic_load(motion, closure, contact_radius), { motion }).omega_terminal();
 }
 
 } // namespace
@@ -90,11 +90,19 @@ const Fields<StudyAnswer> &study_quantities()
       [](const Found &found) { return found.spin.rows.front().omega_terminal(); },
       in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
     { "omega_on_ring", "rad/s", "",
-      [](const Found &found) { return omega_on_ring(found.study, found.study.motion.closure); },
+      [](const Found &found)
+      {
+        const MotionSection &motion = found.study.motion;
+        return omega_on_ring(motion.orbit, motion.closure, found.study.glass.profile.contact_radius);
+      },
       in_column("terminal spin, first harmonic on a ring of the contact radius"),
       on_page("terminal spin, first harmonic on a ring of the contact radius") },
     { "omega_paper", "rad/s", "",
-      [](const Found &found) { return omega_on_ring(found.study, ring::Closure::paper); },
+      [](const Found &found)
+      {
+        return omega_on_ring(found.study.motion.orbit, ring::Closure::paper,
+                             found.study.glass.profile.contact_radius);
+      },
       in_column("terminal spin, the paper's model") },
     { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.budget.harmonics.absolute; },
       in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
@@ -159,30 +167,31 @@ const Fields<StudyAnswer> &study_quantities()
   return all;
 }
 
-StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
-                         bool with_fields, std::shared_ptr<ElasticFoot> *start)
+StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, bool with_fields,
+                         std::shared_ptr<ElasticFoot> *start)
 {
-  const MeshForGoal mesh = mesh_for_goal(study, executor, progress);
+  Progress &progress = executor.progress;
+  const MeshForGoal mesh = mesh_for_goal(study, executor);
   const std::shared_ptr<ElasticFoot> foot =
-    announced_foot(study, executor, progress, mesh.discretisation, start ? start->get() : nullptr);
+    announced_foot({ study, mesh.discretisation }, executor, start ? start->get() : nullptr);
+  const Analysis analysis = { study, foot, executor };
   const BalancedLoad load = find_load(study, foot, progress);
   StudyAnswer answer = { study, mesh.outcome };
-  answer.spin = study_spin(study, foot, load, executor, progress, depth);
+  answer.spin = study_spin(analysis, load, depth);
   progress.stage_done("ring");
-  answer.contact = describe(study, foot, load, answer.spin.answer().last_spin().value());
+  answer.contact = describe(foot, load, answer.spin.answer().last_spin().value());
   progress.stage_done("report_of_contact");
 
-  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone() : nullptr;
+  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone(study) : nullptr;
   const auto find = [&](std::size_t i)
   {
     if (i == 0 && of_fields && answer.contact.foot)
-      add_fields(study, *of_fields, *answer.contact.foot);
+      add_fields(*of_fields, *answer.contact.foot);
     if (i == 1)
-      answer.bands =
-        estimate_bands(study, foot, answer.spin.answer(), answer.spin.rows.front().omega_terminal(), executor,
-                       progress, reported_quantities(answer.contact.load, answer.spin.budget));
+      answer.bands = estimate_bands(analysis, answer.spin.answer(), answer.spin.rows.front().omega_terminal(),
+                                    reported_quantities(answer.contact.load, answer.spin.budget));
   };
-  executor.for_each(depth == Depth::full ? 2 : 1, find, is_collective(study));
+  executor.for_each(depth == Depth::full ? 2 : 1, find, study.is_collective());
   if (depth == Depth::full)
     add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
               answer.spin.budget.rows);
@@ -192,15 +201,13 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
   return answer;
 }
 
-ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
-                          Progress &progress)
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor)
 {
-  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor, progress);
-  const BalancedLoad load = find_load(study, foot);
-  const std::vector<QuantityOfInterest> own = quantities_of_load(study, load);
-  progress.stage_done("study");
-  ErrorBands bands = refine(own, axes, executor, progress);
-  progress.stage_done("levels");
+  const std::shared_ptr<ElasticFoot> foot = announced_foot(study, executor);
+  const std::vector<QuantityOfInterest> own = quantities_of_load(study, find_load(study, foot));
+  executor.progress.stage_done("study");
+  ErrorBands bands = refine(own, axes, executor);
+  executor.progress.stage_done("levels");
   return bands;
 }
 

@@ -26,15 +26,14 @@ struct StudyAnswer
 
 /// Answers the checked @p study. @p with_fields: also fields and stressed section; @p start as in
 /// case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, ring::NoBalance.
-StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, Progress &progress,
-                         bool with_fields, std::shared_ptr<ElasticFoot> *start = nullptr);
+StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, bool with_fields,
+                         std::shared_ptr<ElasticFoot> *start = nullptr);
 
 /// Returns the quantities of a study: with a description, in "ring" of summary.json; with a description of
 /// the column, columns of sweep.csv in this order; with a heading, in the table of ranges of a sweep.
 const Fields<StudyAnswer> &study_quantities();
 
 /// Solves @p study on the levels of @p axes, refinement_axes(). Throws as answer_study() and refine().
-ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor,
-                          Progress &progress);
+ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor);
 
 } // namespace stemware::pipeline

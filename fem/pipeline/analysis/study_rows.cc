@@ -38,20 +38,11 @@ LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::option
 
 } // namespace
 
-double shown_spin(const Study &study, const ring::Answer &row, double fastest)
-{
-  if (std::abs(fastest) >= 0.01 * study.spin_unit())
-    return fastest;
-  const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
-  return std::copysign(0.1 * study.spin_unit(), fastest != 0 ? fastest : torque);
-}
-
-std::string grip_holds_note(const Study &study, const ring::Answer &row)
+std::string grip_holds_note(double grip_torque, const ring::Answer &row)
 {
   if (!row.terminal || !row.terminal->held || !row.at_rest)
     return "";
-  const auto [torque, grip] =
-    distinct_texts(std::abs(row.at_rest->friction.torque), study.motion.grip_torque);
+  const auto [torque, grip] = distinct_texts(std::abs(row.at_rest->friction.torque), grip_torque);
   return "The fingers hold the glass at rest: the torque at rest, " + torque +
          " N m, does not exceed Motion/Grip torque = " + grip + " N m.";
 }
@@ -94,14 +85,11 @@ ring::Question spin_question(const Study &study, ring::Question question)
 
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
-                                  const Executor &executor, Progress &progress, const std::string &pieces,
-                                  const std::optional<ring::Load> &of_study,
+                                  const Executor &executor, const std::optional<ring::Load> &of_study,
                                   const std::vector<double> &torque_spins)
 {
   const auto solved_row = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
-    if (variant.shared == Shared::contact)
-      its_foot->reset_rings();
     const ring::Load load =
       variant.shared == Shared::load
         ? of_study->truncated(variant.n_harmonics)
@@ -128,7 +116,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     else
       others.push_back(variants[i]);
   const std::vector<Solved<LoadedRow>> solved =
-    solve(others, foot, solved_row, executor, counting_callback(progress, pieces, others.size()));
+    solve(others, foot, solved_row, executor, counting_callback(executor.progress, "models", others.size()));
   for (std::size_t i = 0, next = 0; i < variants.size(); ++i)
   {
     if (variants[i].shared != Shared::load)
@@ -166,14 +154,15 @@ ring::Answer failed_row(const std::exception_ptr &failure)
   }
 }
 
-StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const ring::Load &load, ring::Question question, const Executor &executor,
-                            Progress &progress, Depth depth, const std::vector<Variant> &others)
+StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, Depth depth,
+                            const std::vector<Variant> &others)
 {
+  const auto &[study, foot, executor] = analysis;
   const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
+  ring::Question question = spin_question(study);
   question.with_slope = true;
-  question.observer = motion_observer(progress);
-  LoadedRow whole = { {}, ring::answer(load, question).value(), load };
+  question.observer = motion_observer(executor.progress);
+  LoadedRow whole = { analysis.own(), ring::answer(load, question).value(), load };
   StudyRows rows;
   if (depth == Depth::full)
   {
@@ -202,7 +191,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   for (std::size_t i = 0; i + 1 < orders.size(); ++i)
   {
     Variant &fewer =
-      variants.emplace_back(Variant{ VariantKind::harmonics, std::to_string(orders[i]), study });
+      variants.emplace_back(Variant{ { study }, VariantKind::harmonics, std::to_string(orders[i]) });
     fewer.n_harmonics = orders[i];
     const bool has_own_balance =
       study.load.is_in_balance() &&
@@ -211,7 +200,7 @@ StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoo
   }
   variants.insert(variants.end(), others.begin(), others.end());
   std::vector<LoadedRow> solved =
-    solve_rows(variants, foot, question, executor, progress, "models", whole.load, rows.torque_spins);
+    solve_rows(variants, foot, question, executor, whole.load, rows.torque_spins);
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));

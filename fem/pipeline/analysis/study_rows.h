@@ -24,18 +24,15 @@ struct LoadedRow
 /// Answers of one study.
 struct StudyRows
 {
-  std::vector<LoadedRow> by_harmonics; ///< all harmonics last
+  std::vector<LoadedRow> by_harmonics; ///< all harmonics, the study itself, last
   std::vector<LoadedRow> others;       ///< further variants
   /// Spins of the torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> torque_spins = {};
 };
 
-/// Returns the end of the plotted torque curve of @p row [rad/s]: @p fastest, or, if below 0.01
-/// Study::spin_unit(), a tenth of this unit in the direction of the torque.
-double shown_spin(const Study &study, const ring::Answer &row, double fastest);
-
-/// Returns a sentence if the fingers hold the glass of @p row at rest, else an empty string.
-std::string grip_holds_note(const Study &study, const ring::Answer &row);
+/// Returns a sentence if the fingers hold the glass of @p row at rest, else an empty string. @p grip_torque:
+/// Motion/Grip torque [N m].
+std::string grip_holds_note(double grip_torque, const ring::Answer &row);
 
 /// Results of a study in addition to the answer and its curves.
 enum class Depth
@@ -53,12 +50,10 @@ ring::Question spin_question(const Study &study, ring::Question asked = {});
 
 /// Returns the answers of @p variants to @p asked. @p foot as in solve(); @p of_study: load of variants with
 /// Shared::load. Rows of the chain have torques at @p torque_spins. Failures of meshes, contacts, balances
-/// and spins do not throw: the row has the reason. @p progress receives @p pieces.
+/// and spins do not throw: the row has the reason. The progress of @p executor receives the finished models.
 std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
-                                  const Executor &executor, Progress &progress = silent_progress(),
-                                  const std::string &pieces = "",
-                                  const std::optional<ring::Load> &of_study = {},
+                                  const Executor &executor, const std::optional<ring::Load> &of_study = {},
                                   const std::vector<double> &torque_spins = {});
 
 /// Returns tau_z of friction of @p torques [N m].
@@ -70,15 +65,13 @@ ring::Answer failed_row(const std::exception_ptr &failure);
 /// Returns the numbers of harmonics of the rows: 1, 2, 3, 4, 6, 8, 12, 16, ... below @p n_all, then @p n_all.
 std::vector<unsigned int> truncation_orders(unsigned int n_all);
 
-/// Returns the rows for truncation_orders() of @p load, find_load() of @p foot; all harmonics last. Fewer
-/// harmonics have their own balance if the load is two-way, else the truncated load; each row is compared
-/// with the last. Only the rows of one and of all harmonics are solved with Depth::answer, and for slow
-/// balances (solid body, waviness). Depth::full adds torques at StudyRows::torque_spins. @p others are solved
-/// with the rows, so that no thread idles. Throws as @p load, and if all harmonics have no answer; if the
-/// glass tips during the spin-up, the last row has a `fall`, and no row is compared with it.
-StudyRows rows_by_harmonics(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                            const ring::Load &load, ring::Question question, const Executor &executor,
-                            Progress &progress = silent_progress(), Depth depth = Depth::full,
+/// Returns the rows for truncation_orders() of @p load, find_load() of the analysed study; all harmonics
+/// last. Fewer harmonics have their own balance if the load is two-way, else the truncated load; each row is
+/// compared with the last. Only the rows of one and of all harmonics are solved with Depth::answer, and for
+/// slow balances (solid body, waviness). Depth::full adds torques at StudyRows::torque_spins. @p others are
+/// solved with the rows, so that no thread idles. Throws as @p load, and if all harmonics have no answer; if
+/// the glass tips during the spin-up, the last row has a `fall`, and no row is compared with it.
+StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, Depth depth = Depth::full,
                             const std::vector<Variant> &others = {});
 
 } // namespace stemware::pipeline

@@ -28,7 +28,7 @@ struct CaseVariants
   Variant operator[](std::size_t i) const
   {
     const Study study = list.study_of(indices[i]);
-    return { VariantKind::study, "", study, mesh_for_goal(study, executor).discretisation };
+    return { { study, mesh_for_goal(study, executor).discretisation } };
   }
 
   const CaseList &list;
@@ -67,7 +67,7 @@ catch (...)
 bool is_collective_case(const CaseList &list, std::size_t index)
 try
 {
-  return is_collective(list.study_of(index));
+  return list.study_of(index).is_collective();
 }
 catch (const BadInput &)
 {
@@ -95,15 +95,13 @@ std::optional<double> CaseResult::value(const std::string &key) const
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const Executor &executor,
-                       Progress &progress)
+CaseResult case_result(const Analysis &analysis)
 {
-  const BalancedLoad load = find_load(study, foot, progress);
+  const auto &[study, foot, executor] = analysis;
+  const BalancedLoad load = find_load(study, foot, executor.progress);
   StudyAnswer answer = { study };
   SpinStudy &spin = answer.spin;
-  for (const LoadedRow &row :
-       rows_by_harmonics(study, foot, load, spin_question(study), executor, progress, Depth::answer)
-         .by_harmonics)
+  for (const LoadedRow &row : rows_by_harmonics(analysis, load, Depth::answer).by_harmonics)
     spin.rows.push_back(row.row);
   spin.budget.harmonics =
     harmonic_effect(spin.rows.front().omega_terminal(), spin.answer().omega_terminal(), study.spin_scale());
@@ -129,12 +127,11 @@ CaseResult case_result(const Study &study, const std::shared_ptr<ElasticFoot> &f
   return result;
 }
 
-CaseResult case_result(const Study &study, const Executor &executor, Progress &progress,
-                       std::shared_ptr<ElasticFoot> *start)
+CaseResult case_result(const Study &study, const Executor &executor, std::shared_ptr<ElasticFoot> *start)
 {
-  const Variant variant = { VariantKind::study, "", study, mesh_for_goal(study, executor).discretisation };
+  const Variant variant = { { study, mesh_for_goal(study, executor).discretisation } };
   const auto foot = foot_of(variant, start ? *start : nullptr, executor);
-  CaseResult result = case_result(study, foot, executor, progress);
+  CaseResult result = case_result({ study, foot, executor });
   if (start)
     *start = foot;
   return result;
@@ -152,8 +149,9 @@ void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, u
   {
     ThreadedExecutor executor(cache, threads);
     executor.keeps_all_failures = true;
-    const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot)
-    { return case_result(variant.study, foot, within_case); };
+    const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot) {
+      return case_result({ variant.study, foot, within_case });
+    };
     const auto done = [&, &indices = indices](std::size_t i, const Solved<CaseResult> &solved)
     { finish(indices[i], solved.answer ? *solved.answer : failed_case(solved.failure)); };
     solve(CaseVariants{ list, indices, within_case }, nullptr, result_of, executor, done);

@@ -69,8 +69,8 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
 
 } // namespace
 
-ThreadedExecutor::ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads)
-    : Executor(foot_maker(cache))
+ThreadedExecutor::ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads, Progress &progress)
+    : Executor(foot_maker(cache), progress)
 {
   keeps_all_failures = n_ranks() == 1;
   if (n_threads > 1)

@@ -6,12 +6,13 @@
 namespace stemware::pipeline
 {
 
-/// Executor with threads; feet come from make_foot() with a shared cache.
+/// Executor with threads; feet come from foot_maker() with a shared cache.
 class ThreadedExecutor : public Executor
 {
 public:
-  /// Creates an executor with @p n_threads. @p cache must outlive the executor.
-  ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads = 1); // also converts a cache
+  /// Creates an executor with @p n_threads. @p cache and @p progress must outlive the executor.
+  ThreadedExecutor(fem::ComplianceCache &cache, unsigned int n_threads = 1, // also converts a cache
+                   Progress &progress = silent_progress());
 };
 
 } // namespace stemware::pipeline

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/coupling/balanced_load.h"
-#include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/coupling/balanced_contact.h"
+#include "fem/pipeline/coupling/foot_specification.h"
 
 #include <string>
 
@@ -25,6 +24,7 @@ enum class VariantKind
 enum class Shared
 {
   nothing, ///< own foot
+  rings,   ///< own foot with the study's rings
   contact, ///< the study's foot with newly chosen rings
   foot,    ///< the study's foot and rings
   load     ///< the study's load, truncated to n_harmonics
@@ -41,13 +41,10 @@ struct ChainStep
 };
 
 /// Named change of a study, or the study itself, to be solved. Derived types add data.
-struct Variant
+struct Variant : FootSpecification
 {
   VariantKind kind = VariantKind::study;
-  std::string name = {}; ///< displayed name: "tilt"
-  Study study = {};
-  Discretisation discretisation = {};
-  Model model = {};
+  std::string name = {};                    ///< displayed name: "tilt"
   unsigned int n_harmonics = all_harmonics; ///< harmonics whose friction acts
   Shared shared = Shared::nothing;
   ChainStep step = {};     ///< step of VariantKind::chain
@@ -56,12 +53,5 @@ struct Variant
   /// Returns true for rows of the budget's chain, which have torques.
   bool is_of_chain() const { return kind == VariantKind::chain || kind == VariantKind::harmonics; }
 };
-
-/// Returns the study itself on @p foot; nullptr: without a contact.
-inline Variant own_variant(const Study &study, const ElasticFoot *foot)
-{
-  return foot ? Variant{ VariantKind::study, "", study, foot->discretisation(), foot->model() }
-              : Variant{ VariantKind::study, "", study };
-}
 
 } // namespace stemware::pipeline

@@ -220,7 +220,7 @@ void mesh(const MeshOptions &options)
   std::optional<Study> study;
   if (has_study(options))
     study = read_study(options.study.study_file, options.study.overrides);
-  print_note("Profile   ", study ? profile_note(*study) : "");
+  print_note("Profile   ", study ? profile_note(study->glass) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
   Mesh mesh;
@@ -232,7 +232,8 @@ void mesh(const MeshOptions &options)
   const bool has_glass = study && (!options.study.study_file.empty() || options.check.empty() ||
                                    study->given_entries.count("Glass/Contact radius") > 0);
   if (has_glass && findings.report)
-    require_same_glass(*findings.report, file, *study);
+    require_same_glass(*findings.report, file, study->contact.mesh_file_options.unit,
+                       study->glass.profile.contact_radius);
 
   for (const std::string &name : options.writes)
     write_mesh(mesh, name);

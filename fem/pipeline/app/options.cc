@@ -149,18 +149,19 @@ Study begin_study(const StudyOptions &options)
                 : options.study_file == "-" ? "standard input"
                                             : options.study_file)
             << std::endl;
-  for (const std::string &note : implausible_notes(study))
+  for (const std::string &note : implausible_notes(entries_of(study)))
     print_warning("Check     ", note, options);
-  print_note("Profile   ", profile_note(study));
+  print_note("Profile   ", profile_note(study.glass));
   if (options.verb != "sweep") // in a sweep, each case has its own study
   {
     require_no_tipping_at_rest(study);
-    print_warning("Unused    ", unused_entries_note(unused_entries(study)), options);
-    print_note("Memory    ", memory_note(study));
+    print_warning("Unused    ", unused_entries_note(unused_entries(entries_of(study))), options);
+    print_note("Memory    ", size_of(study).memory_note());
   }
   // Also checked before MPI starts, because MPI prints its own messages if it lacks memory.
   require_memory_left(study, n_threads_of(options));
-  prepare_foot_of(study);
+  if (study.load.is_from_contact())
+    prepare_body(study.contact.body);
   require_memory_left(study, n_threads_of(options));
   return study;
 }

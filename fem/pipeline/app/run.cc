@@ -24,7 +24,7 @@ void run(const RunOptions &options)
 {
   const Depth depth = options.quick ? Depth::answer : Depth::full;
   StudyWork work(options); // throws for every input error that can be detected now
-  StudyAnswer answer = answer_study(work.study, depth, work.executor, work.progress, true);
+  StudyAnswer answer = answer_study(work.study, depth, work.executor, true);
   // Only the first rank has the load and the results. Each rank has the fields of its own cells.
   Results results = is_first_rank() ? run_results(answer) : Results();
   if (answer.contact.foot)

@@ -9,7 +9,7 @@ StudyWork::StudyWork(const StudyOptions &options)
     : progress(stopwatch)
     , study(begin_study(options))
     , folder(options.results_place())
-    , executor(cache, n_threads_of(options))
+    , executor(cache, n_threads_of(options), progress)
 {
   note_load_source(study, progress);
   stopwatch.finish("input");

@@ -13,7 +13,7 @@ namespace
 void truncate(const StudyOptions &options)
 {
   StudyWork work(options);
-  const StudyAnswer answer = answer_study(work.study, Depth::rows, work.executor, work.progress, false);
+  const StudyAnswer answer = answer_study(work.study, Depth::rows, work.executor, false);
   publish(options, truncation_results(answer), work.folder, work.stopwatch);
 }
 

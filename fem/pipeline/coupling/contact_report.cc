@@ -22,16 +22,16 @@ LoadReport with_width(LoadReport load, const fem::PressureMap &footprint)
   return load;
 }
 
-FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem::ContactState &at_rest,
+FootReport describe_foot(const ElasticFoot &foot, const fem::ContactState &at_rest,
                          const std::optional<fem::ContactState> &at_end)
 {
   FootReport report;
   report.foot = foot.body().description();
-  report.friction_coupling = study.friction_deforms() ? "elastic" : "none";
+  report.friction_coupling = foot.specification().study.friction_deforms() ? "elastic" : "none";
   report.at_rest = at_rest;
   report.footprint = foot.body().pressure_map(at_rest);
   if (is_first_rank())
-    report.section = foot_section(study, foot.discretisation());
+    report.section = foot_section(foot.specification());
   if (at_end && at_end->slip.spin_per_speed != at_rest.slip.spin_per_speed && is_first_rank() &&
       !foot.body().capabilities().is_collective)
   {
@@ -43,7 +43,7 @@ FootReport describe_foot(const Study &study, const ElasticFoot &foot, const fem:
 
 } // namespace
 
-void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
+void add_fields(const ElasticFoot &foot, FootReport &report)
 {
   const bool is_collective = foot.body().capabilities().is_collective;
   // Unless the ranks solve together, all ranks have the same fields, and only the first rank writes them.
@@ -53,8 +53,8 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
     return;
   // The section is on the side of the foot away from the centre of the orbit. On a counter-clockwise orbit,
   // the centre is to the left of the direction of travel.
-  report.stressed_section =
-    foot.body().section(report.at_rest, -study.motion.orbit.sense_sign() * ring::pi / 2);
+  const double sense = foot.specification().study.motion.orbit.sense_sign();
+  report.stressed_section = foot.body().section(report.at_rest, -sense * ring::pi / 2);
   if (report.at_end)
     for (fem::FieldFile file : foot.body().fields(*report.at_end))
     {
@@ -63,18 +63,18 @@ void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report)
     }
 }
 
-ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                       double last_spin)
+ContactReport describe(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load, double last_spin)
 {
   ContactReport report;
   const std::optional<fem::ContactState> at_rest = load.contact(0), at_end = load.contact(last_spin);
   if (at_rest)
-    report.foot = describe_foot(study, *foot, *at_rest, at_end);
+    report.foot = describe_foot(*foot, *at_rest, at_end);
   report.load = report.foot ? with_width(load.report(), report.foot->footprint) : load.report();
   // pressure_map() is collective for a solid body, so all ranks call it.
-  report.load_at_end =
-    at_end ? with_width(report_of(*at_end, foot->radius(), study.tilts()), foot->body().pressure_map(*at_end))
-           : report_of(load.at(last_spin));
+  report.load_at_end = at_end
+                         ? with_width(report_of(*at_end, foot->radius(), foot->specification().study.tilts()),
+                                      foot->body().pressure_map(*at_end))
+                         : report_of(load.at(last_spin));
   report.coupling = load.statistics();
   return report;
 }

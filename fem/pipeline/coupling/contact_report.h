@@ -2,7 +2,6 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/coupling/load_report.h"
-#include "fem/pipeline/study/study.h"
 
 #include <memory>
 #include <optional>
@@ -41,12 +40,13 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Returns the report on @p load, find_load() of @p foot, at rest and at @p last_spin, the end of the spin-up
-/// [rad/s], without the results of add_fields(). May solve the contact at @p last_spin. Throws as @p load.
-ContactReport describe(const Study &study, const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load,
-                       double last_spin);
+/// Returns the report on @p load, find_load() of @p foot (nullptr without a contact), at rest and at
+/// @p last_spin, the end of the spin-up [rad/s], without the results of add_fields(). May solve the contact
+/// at
+/// @p last_spin. Throws as @p load.
+ContactReport describe(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load, double last_spin);
 
 /// Adds fields and stressed section of both states to @p report. @p foot may be a clone(), on another thread.
-void add_fields(const Study &study, const ElasticFoot &foot, FootReport &report);
+void add_fields(const ElasticFoot &foot, FootReport &report);
 
 } // namespace stemware::pipeline

@@ -4,7 +4,7 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
-#include "fem/pipeline/coupling/study_load.h"
+#include "fem/pipeline/coupling/study_balance.h"
 #include "ring_model/failures.h"
 
 namespace stemware::pipeline
@@ -29,12 +29,15 @@ auto unless_it_tips(const Solve &solve, const Sentence &sentence)
 
 } // namespace
 
-ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                         const ring::OrbitSpeedTable &speeds)
+ring::PhasedTorqueFunction driven_torque(const MotionSection &motion, double contact_radius,
+                                         const std::shared_ptr<ElasticFoot> &foot)
 {
+  const ring::OrbitSpeedTable &speeds = *motion.orbit_speeds;
+  if (!foot)
+    return ring::driven_torque(motion.closure, motion.orbit, contact_radius, speeds);
   const ring::DrivenLoad load =
-    [foot, of_study = moment_balance(study), file = study.motion.orbit_speed_file](const ring::Motion &now,
-                                                                                   double time, double omega)
+    [foot, of_study = moment_balance(foot->specification().study),
+     file = motion.orbit_speed_file](const ring::Motion &now, double time, double omega)
   {
     ContactBalance balance = of_study;
     balance.motion = now;
@@ -53,35 +56,32 @@ ring::PhasedTorqueFunction driven_torque(const Study &study, const std::shared_p
     };
     return unless_it_tips(solve, sentence);
   };
-  return study.load.is_from_contact() ? ring::driven_torque(study.motion.orbit, speeds, load)
-                                      : ring::driven_torque(study.motion.closure, study.motion.orbit,
-                                                            study.glass.profile.contact_radius, speeds);
+  return ring::driven_torque(motion.orbit, speeds, load);
 }
 
-ring::Breakaway find_breakaway(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                               const ring::OrbitSpeedTable &speeds)
+ring::Breakaway find_breakaway(const MotionSection &motion, double contact_radius,
+                               const std::shared_ptr<ElasticFoot> &foot)
 {
-  const double radius = study.glass.profile.contact_radius;
-  ContactBalance balance = moment_balance(study);
-  ring::Breakaway breakaway = ring::find_breakaway(study.motion.closure, study.motion.orbit,
-                                                   study.motion.breakaway_friction, radius, speeds);
+  ring::Breakaway breakaway = ring::find_breakaway(motion.closure, motion.orbit, motion.breakaway_friction,
+                                                   contact_radius, *motion.orbit_speeds);
   const auto tipping_message = [&]
   {
     return filled("Motion/Orbit speed file = {}: the glass tips at t = {} s, before the hand's force reaches "
                   "the {} N at which it slides; hold the glass lower, or reduce the friction.",
-                  { shortened_path(study.motion.orbit_speed_file), to_short_text(breakaway.time),
+                  { shortened_path(motion.orbit_speed_file), to_short_text(breakaway.time),
                     to_short_text(breakaway.force) });
   };
-  if (!study.load.is_from_contact())
+  if (!foot)
   {
     if (breakaway.moment_ratio >= 2)
       throw BadInput(tipping_message());
     return breakaway;
   }
+  ContactBalance balance = moment_balance(foot->specification().study);
   balance.motion = breakaway.motion;
   const auto solve = [&] { return BalancedContact(foot, balance).contact(0).load.moment().norm(); };
   breakaway.moment_ratio =
-    2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * radius);
+    2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * contact_radius);
   return breakaway;
 }
 

@@ -9,12 +9,9 @@
 namespace stemware::pipeline
 {
 
-ElasticFoot::ElasticFoot(std::shared_ptr<const fem::Foot> foot_given, double contact_radius,
-                         Discretisation discretisation, Model model)
+ElasticFoot::ElasticFoot(std::shared_ptr<const fem::Foot> foot_given, FootSpecification specification)
     : foot(std::move(foot_given))
-    , contact_radius(contact_radius)
-    , own_discretisation(std::move(discretisation))
-    , own_model(model)
+    , made_from(std::move(specification))
     , highest(foot->n_resolved_harmonics())
 {
 }
@@ -32,9 +29,10 @@ void ElasticFoot::reset_rings()
   placed = false;
 }
 
-std::shared_ptr<ElasticFoot> ElasticFoot::clone() const
+std::shared_ptr<ElasticFoot> ElasticFoot::clone(Study study) const
 {
   const auto twin = std::make_shared<ElasticFoot>(*this);
+  twin->made_from.study = std::move(study);
   if (std::shared_ptr<const fem::Foot> body = foot->clone())
     twin->foot = std::move(body);
   return twin;
@@ -92,6 +90,19 @@ fem::ContactState ElasticFoot::solve_at_rest(const fem::ContactDemand &demand, c
   else
     at_rest = solve(demand, { 0, marks }, progress);
   return *at_rest;
+}
+
+std::shared_ptr<ElasticFoot> study_foot(const FootSpecification &specification, const FootMaker &make_foot,
+                                        Progress &progress, const ElasticFoot *similar)
+{
+  if (!specification.study.load.is_from_contact())
+    return nullptr;
+  auto foot = std::make_shared<ElasticFoot>(make_foot(specification, similar ? &similar->body() : nullptr),
+                                            specification);
+  if (similar)
+    foot->predict_from_similar(*similar);
+  progress.stage_done("mesh_and_stiffness");
+  return foot;
 }
 
 std::vector<double> chebyshev_radii(double inner, double outer, unsigned int n_rings)

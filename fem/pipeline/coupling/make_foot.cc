@@ -5,23 +5,53 @@
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/solid_study_foot.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "fem/pipeline/study/study_size.h"
 #include "fem/revolution/meridian_meshes.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 
 #include <deal.II/grid/tria.h>
 
+#include <memory>
 #include <stdexcept>
 
 namespace stemware::pipeline
 {
 
-void prepare_foot_of(const Study &study)
+namespace
 {
-  if (!study.load.is_from_contact() || study.contact.body != BodyKind::solid)
+
+std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification, fem::ComplianceCache &cache,
+                                     [[maybe_unused]] const fem::Foot *similar)
+{
+  const BodyKind body = specification.study.contact.body;
+  prepare_body(body);
+  try
+  {
+    switch (body)
+    {
+    case BodyKind::solid:
+#ifdef STEMWARE_HAS_SOLID
+      return make_solid_foot(specification, similar);
+#else
+      break;
+#endif
+    case BodyKind::revolution:
+      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(specification), cache);
+    }
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw BadInput(with_entries(error.what()));
+  }
+  throw std::logic_error("a body without a foot");
+}
+
+} // namespace
+
+void prepare_body(BodyKind body)
+{
+  if (body != BodyKind::solid)
     return;
 #ifdef STEMWARE_HAS_SOLID
   start_mpi();
@@ -32,73 +62,30 @@ void prepare_foot_of(const Study &study)
 #endif
 }
 
-std::shared_ptr<fem::Foot> make_foot(const Study &study, fem::ComplianceCache &cache,
-                                     [[maybe_unused]] const fem::Foot *similar,
-                                     const Discretisation &discretisation, const Model &model)
-{
-  prepare_foot_of(study);
-  try
-  {
-    switch (study.contact.body)
-    {
-    case BodyKind::solid:
-#ifdef STEMWARE_HAS_SOLID
-      return make_solid_foot(study, discretisation, model, similar);
-#else
-      break;
-#endif
-    case BodyKind::revolution:
-      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(study, discretisation, model),
-                                                         cache);
-    }
-  }
-  catch (const std::invalid_argument &error)
-  {
-    throw BadInput(with_entries(error.what()));
-  }
-  throw std::logic_error("a body without a foot");
-}
-
 FootMaker foot_maker(fem::ComplianceCache &cache)
 {
-  return [&cache](const Study &study, const Discretisation &discretisation, const Model &model,
-                  const fem::Foot *similar)
-  { return make_foot(study, cache, similar, discretisation, model); };
+  return [&cache](const FootSpecification &specification, const fem::Foot *similar)
+  { return make_foot(specification, cache, similar); };
 }
 
-std::shared_ptr<ElasticFoot> study_foot(const Study &study, fem::ComplianceCache &cache, Progress &progress,
-                                        const ElasticFoot *similar, const Discretisation &discretisation,
-                                        const Model &model)
+bool has_focused_mesh(const FootSpecification &specification)
 {
-  return study_foot(study, foot_maker(cache), progress, similar, discretisation, model);
+  return abilities(specification.study.contact.body).is_of_revolution &&
+         revolution_setup(specification).resolution.has_focus();
 }
 
-bool has_focused_mesh(const Study &study, const Discretisation &discretisation)
+std::vector<fem::SectionPolygon> foot_section(const FootSpecification &specification)
 {
-  return abilities(study.contact.body).is_of_revolution &&
-         revolution_setup(study, discretisation).resolution.has_focus();
-}
-
-bool uses_penalty_for_hard_table(const Study &study, const Discretisation &discretisation)
-{
-  const ContactSection &contact = study.contact;
-  if (!study.table.is_hard() || abilities(contact.body).is_of_revolution)
-    return study.table.is_hard();
-  return contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved_cells.empty();
-}
-
-std::vector<fem::SectionPolygon> foot_section(const Study &study, const Discretisation &discretisation)
-{
-  if (abilities(study.contact.body).is_of_revolution)
-    return fem::section_cells(fem::MeridianMeshes(revolution_setup(study, discretisation)).foot);
+  const ContactSection &contact = specification.study.contact;
+  if (abilities(contact.body).is_of_revolution)
+    return fem::section_cells(fem::MeridianMeshes(revolution_setup(specification)).foot);
   // Azimuth of the section [rad]. Usual meshes have no nodes at this azimuth.
   constexpr double azimuth = 0.02;
   dealii::Triangulation<3> mesh;
-  if (study.contact.mesh_file.empty())
-    fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
+  if (contact.mesh_file.empty())
+    fem::make_foot_mesh(specification.study.glass.profile, contact.resolution, mesh);
   else
-    read_mesh_file(study.contact.mesh_file, study.contact.mesh_file_options, mesh,
-                   study.contact.memory_limit);
+    read_mesh_file(contact.mesh_file, contact.mesh_file_options, mesh, contact.memory_limit);
   return fem::section_cells(mesh, azimuth);
 }
 

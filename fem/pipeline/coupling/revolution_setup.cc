@@ -3,20 +3,16 @@
 namespace stemware::pipeline
 {
 
-fem::RimImperfection imperfection_of(const Study &study)
+fem::RevolutionSetup revolution_setup(const FootSpecification &specification)
 {
-  return { study.glass.waviness, study.table.waviness };
-}
-
-fem::RevolutionSetup revolution_setup(const Study &study, const Discretisation &discretisation,
-                                      const Model &model)
-{
+  const auto &[study, discretisation, model] = specification;
   fem::RevolutionSetup setup;
   setup.profile = study.glass.profile;
   setup.material = study.glass.material;
   setup.table = study.table.make();
-  setup.imperfection = imperfection_of(study);
-  set_friction(study, setup);
+  setup.imperfection = { study.glass.waviness, study.table.waviness };
+  if (study.friction_deforms())
+    set_friction(study.motion.orbit, setup);
   setup.meridian.degree = study.contact.degree;
   setup.meridian.n_harmonics = study.contact.harmonics;
   setup.resolution.land_cells = study.contact.resolution.radial_cells;

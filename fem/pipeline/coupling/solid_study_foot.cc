@@ -1,10 +1,8 @@
 #include "fem/pipeline/coupling/solid_study_foot.h"
 
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_file.h"
-#include "fem/pipeline/study/study_size.h"
 #include "fem/solid/solid_foot.h"
 
 #include <fmt/format.h>
@@ -19,66 +17,69 @@ namespace stemware::pipeline
 namespace
 {
 
-fem::SolidMesh mesh_before_goal(const Study &study)
-{
-  if (study.contact.mesh_file.empty())
-  {
-    fem::FootResolution resolution = study.contact.resolution;
-    resolution.refinements = study.contact.refinements;
-    resolution.edge_halvings = edge_halvings(study);
-    return fem::generate_solid_mesh(study.glass.profile, resolution);
-  }
-  require_usable_mesh(study);
-  return fem::read_solid_mesh(study.contact.mesh_file, study.contact.refinements,
-                              study.contact.mesh_file_options);
-}
-
-/// Returns a text that is equal for two studies only if their feet have the same mesh, material and elements.
-std::string elements_of(const Study &study, const Discretisation &discretisation)
+/// Returns a text that is equal for two specifications only if their feet have the same mesh, material and
+/// elements.
+std::string elements_of(const FootSpecification &specification)
 {
   Study bare;
-  bare.glass = study.glass;
-  bare.contact = study.contact;
-  std::string text = study_identity(bare) + fmt::format(FMT_STRING("{}\n"), edge_halvings(study));
-  for (const std::vector<unsigned int> &cells : discretisation.halved_cells)
+  bare.glass = specification.study.glass;
+  bare.contact = specification.study.contact;
+  std::string text =
+    study_identity(bare) + fmt::format(FMT_STRING("{}\n"), specification.study.edge_halvings());
+  for (const std::vector<unsigned int> &cells : specification.discretisation.halved_cells)
     text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(cells, " "));
   return text;
 }
 
-fem::SolidMesh solid_mesh(const Study &study, const Discretisation &discretisation)
+/// Returns the mesh before the cells for a goal are halved.
+fem::SolidMesh mesh_before_goal(const ContactSection &contact, const fem::GlassProfile &profile,
+                                unsigned int n_edge_halvings)
 {
-  fem::SolidMesh mesh = mesh_before_goal(study);
+  if (contact.mesh_file.empty())
+  {
+    fem::FootResolution resolution = contact.resolution;
+    resolution.refinements = contact.refinements;
+    resolution.edge_halvings = n_edge_halvings;
+    return fem::generate_solid_mesh(profile, resolution);
+  }
+  require_usable_mesh(contact, profile.contact_radius);
+  return fem::read_solid_mesh(contact.mesh_file, contact.refinements, contact.mesh_file_options);
+}
+
+fem::SolidMesh solid_mesh(const FootSpecification &specification)
+{
+  const auto &[study, discretisation, model] = specification;
+  fem::SolidMesh mesh = mesh_before_goal(study.contact, study.glass.profile, study.edge_halvings());
   for (const std::vector<unsigned int> &cells : discretisation.halved_cells)
     fem::halve(mesh, cells);
   return mesh;
 }
 
-/// Returns the linear solver of @p study. If the study needs only one or two contact solves, `automatic` is
+/// Returns the linear solver of a foot. If its study needs only one or two contact solves, `automatic` is
 /// replaced by multigrid, because a condensation costs about as much as four solves by multigrid.
-fem::LinearSolver linear_solver_of(const Study &study, const Discretisation &discretisation)
+fem::LinearSolver linear_solver_of(const FootSpecification &specification)
 {
-  const ContactSection &contact = study.contact;
-  const bool is_refined =
-    contact.refinements > 0 || edge_halvings(study) > 0 || !discretisation.halved_cells.empty();
-  const bool has_phases = !contact.mesh_file.empty() || study.has_waviness();
-  if (contact.linear_solver != fem::LinearSolver::automatic || is_refined || has_phases ||
-      varies_with_spin(study))
-    return contact.linear_solver;
-  return fem::LinearSolver::multigrid;
+  const ContactSection &contact = specification.study.contact;
+  const bool has_phases = !contact.mesh_file.empty() || specification.study.has_waviness();
+  return contact.linear_solver != fem::LinearSolver::automatic || specification.is_refined() || has_phases ||
+             specification.study.varies_with_spin()
+           ? contact.linear_solver
+           : fem::LinearSolver::multigrid;
 }
 
-fem::SolidSetup solid_setup(const Study &study, const Discretisation &discretisation, const Model &model)
+fem::SolidSetup solid_setup(const FootSpecification &specification)
 {
+  const auto &[study, discretisation, model] = specification;
   fem::SolidSetup setup;
   setup.profile = study.glass.profile;
   setup.material = study.glass.material;
   setup.table = study.table.make();
   setup.options.degree = study.contact.degree;
-  setup.options.linear_solver = linear_solver_of(study, discretisation);
+  setup.options.linear_solver = linear_solver_of(specification);
   setup.options.line_factor = discretisation.line_factor;
   setup.hardness = discretisation.hardness;
-  if (model.friction_in_foot)
-    set_friction(study, setup);
+  if (model.friction_in_foot && study.friction_deforms())
+    set_friction(study.motion.orbit, setup);
   return setup;
 }
 
@@ -99,16 +100,15 @@ public:
 
 } // namespace
 
-std::shared_ptr<fem::Foot> make_solid_foot(const Study &study, const Discretisation &discretisation,
-                                           const Model &model, const fem::Foot *similar)
+std::shared_ptr<fem::Foot> make_solid_foot(const FootSpecification &specification, const fem::Foot *similar)
 {
-  const fem::SolidSetup setup = solid_setup(study, discretisation, model);
-  const std::string elements = elements_of(study, discretisation);
+  const fem::SolidSetup setup = solid_setup(specification);
+  const std::string elements = elements_of(specification);
   const auto *other = dynamic_cast<const StudyFoot *>(similar);
   if (other && other->elements != elements)
     other = nullptr;
-  return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(study, discretisation), setup,
-                                     other, elements);
+  return std::make_shared<StudyFoot>(other ? other->own_mesh() : solid_mesh(specification), setup, other,
+                                     elements);
 }
 
 } // namespace stemware::pipeline

@@ -103,10 +103,10 @@ void require_usable(const std::string &origin, const fem::MeshCheck &check, cons
            mesh, place(check.centre[0], check.centre[1], check.outer_radius)));
 }
 
-void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study)
+void require_same_glass(const fem::MeshReport &report, const std::string &file, double unit,
+                        double contact_radius)
 {
-  const double radius = study.glass.profile.contact_radius, unit = study.contact.mesh_file_options.unit;
-  const auto fits = [&](double rim) { return std::abs(rim - radius) <= 0.1 * radius; };
+  const auto fits = [&](double rim) { return std::abs(rim - contact_radius) <= 0.1 * contact_radius; };
   if (fits(report.rim_radius))
     return;
   std::string advice = "give the radius of the mesh, and the unit of its coordinates as Contact/Mesh unit";
@@ -119,17 +119,16 @@ void require_same_glass(const fem::MeshReport &report, const std::string &file, 
                                 " is not round; the mean of the smallest and largest distance of its border "
                                 "from the axis, used as contact radius, is ";
   throw BadInput(fmt::format(FMT_STRING("{}{} m, but Glass/Contact radius = {} m; {}."), rim,
-                             to_short_text(report.rim_radius), to_text(radius), advice));
+                             to_short_text(report.rim_radius), to_text(contact_radius), advice));
 }
 
-void require_usable_mesh(const Study &study)
+void require_usable_mesh(const ContactSection &contact, double contact_radius)
 {
-  const ContactSection &contact = study.contact;
   dealii::Triangulation<3> mesh;
   const fem::MeshReport report =
     read_mesh_file(contact.mesh_file, contact.mesh_file_options, mesh, contact.memory_limit);
   require_usable(contact.mesh_file, fem::check_mesh(mesh), contact.mesh_file_options);
-  require_same_glass(report, contact.mesh_file, study);
+  require_same_glass(report, contact.mesh_file, contact.mesh_file_options.unit, contact_radius);
 }
 
 } // namespace stemware::pipeline

@@ -2,7 +2,7 @@
 
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
-#include "fem/pipeline/study/study.h"
+#include "fem/pipeline/study/contact_section.h"
 
 #include <string>
 
@@ -20,10 +20,12 @@ fem::MeshReport read_mesh_file(const std::string &file, const fem::MeshFileOptio
 void require_usable(const std::string &origin, const fem::MeshCheck &check,
                     const fem::MeshFileOptions &marks = {});
 
-/// Throws BadInput if the rim of the mesh is not at the study's contact radius (wrong unit or glass).
-void require_same_glass(const fem::MeshReport &report, const std::string &file, const Study &study);
+/// Throws BadInput if the rim of a mesh whose coordinates have the @p unit [m] is not at @p contact_radius
+/// [m] (wrong unit or glass).
+void require_same_glass(const fem::MeshReport &report, const std::string &file, double unit,
+                        double contact_radius);
 
-/// Reads the mesh file of a study and makes all checks of this header, on every rank. Throws BadInput.
-void require_usable_mesh(const Study &study);
+/// Reads Contact/Mesh file and makes all checks of this header, on every rank. Throws BadInput.
+void require_usable_mesh(const ContactSection &contact, double contact_radius);
 
 } // namespace stemware::pipeline

@@ -98,7 +98,9 @@ Json answer_document(const LiveAnswer &found)
 /// Returns a failure as JSON, with notes on implausible values, which are its likely cause.
 Json failure_of(const std::string &message, bool tips)
 {
-  return { { "error", message }, { "tips", tips }, { "notes", implausible_notes(explorer->study()) } };
+  return { { "error", message },
+           { "tips", tips },
+           { "notes", implausible_notes(entries_of(explorer->study())) } };
 }
 
 template <typename Make>
@@ -169,7 +171,7 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
       return Json{ { "fit", name_of(found.match) },
-                   { "notes", implausible_notes(explorer->study()) },
+                   { "notes", implausible_notes(entries_of(explorer->study())) },
                    { "document", answer_document(found) } };
     });
 }

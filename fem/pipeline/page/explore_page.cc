@@ -154,7 +154,7 @@ std::vector<std::string> acting_entries(const std::vector<StudyEntry> &own)
 
 ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
 {
-  const auto foot = study_foot(study, cache);
+  const auto foot = study_foot(study, foot_maker(cache));
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
@@ -202,7 +202,7 @@ Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::Compli
   Discretisation mesh;
   if (max_nodes == 0 || !revolution_setup(study).resolution.has_focus())
     return mesh;
-  while (live_bodies(study, cache, mesh).foot.n_nodes() > max_nodes && mesh.fineness > 0.05)
+  while (live_bodies({ study, mesh }, cache).foot.n_nodes() > max_nodes && mesh.fineness > 0.05)
     mesh.fineness *= 0.85;
   return mesh;
 }
@@ -259,7 +259,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   pair.omega = program.omega_terminal();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
-  const LiveBodies live = live_bodies(study, cache, mesh);
+  const LiveBodies live = live_bodies({ study, mesh }, cache);
   pair.n_nodes = live.foot.n_nodes();
   for (int bits = is_coarse ? 20 : 24;; bits = bits < 27 ? 27 : 30)
   {
@@ -275,7 +275,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
     if (disc)
       for (const double ratio : similar_feet)
         discs.emplace(ratio * study.glass.profile.contact_radius,
-                      PagedCompliance(*live_bodies(study, cache, mesh, ratio).disc, bits));
+                      PagedCompliance(*live_bodies({ study, mesh }, cache, ratio).disc, bits));
     return { pair, study, mesh.fineness, foot, disc, discs, here.omega_terminal() };
   }
 }

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
+#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/revolution/revolution_foot.h"
@@ -55,10 +56,10 @@ struct BalanceNearby
 /// contact and load. Two or three contact solves start from @p contact. Returns std::nullopt if the search
 /// fails, if the load does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
 std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
-                                          const Study &study, const std::shared_ptr<ElasticFoot> &foot,
-                                          unsigned int n_harmonics)
+                                          const std::shared_ptr<ElasticFoot> &foot, unsigned int n_harmonics)
 {
-  if (!varies_with_spin(study) || foot->ring_radii().empty() || contact.zone != 0 ||
+  const auto &[study, discretisation, model] = foot->specification();
+  if (!study.varies_with_spin() || foot->ring_radii().empty() || contact.zone != 0 ||
       contact.solution.forces.size() != foot->body().description().n_contact_nodes)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
@@ -114,8 +115,8 @@ void Explorer::freeze_mesh(double fineness)
 
 MeshMatch Explorer::mesh_match() const
 {
-  const fem::MeridianResolution now = revolution_setup(present, discretisation).resolution;
-  const fem::MeridianResolution then = revolution_setup(base, discretisation).resolution;
+  const fem::MeridianResolution now = revolution_setup({ present, discretisation }).resolution;
+  const fem::MeridianResolution then = revolution_setup({ base, discretisation }).resolution;
   const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
   if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
       differ(now.focus_radius, size() * then.focus_radius) || now.has_focus() != then.has_focus())
@@ -126,19 +127,18 @@ MeshMatch Explorer::mesh_match() const
   return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
 }
 
-std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study, const Discretisation &mesh,
-                                               const Model &model) const
+std::shared_ptr<fem::Foot> Explorer::make_foot(const FootSpecification &specification) const
 {
   const auto of =
     [](const std::shared_ptr<const fem::ContactCompliance> &given, double modulus, double modulus_now)
   { return modulus == modulus_now ? *given : given->scaled(modulus / modulus_now); };
-  const fem::RevolutionSetup setup = revolution_setup(study, mesh, model);
+  const fem::RevolutionSetup setup = revolution_setup(specification);
   const fem::ContactCompliance own =
-    of(compliance, base.glass.material.young_modulus, study.glass.material.young_modulus);
+    of(compliance, base.glass.material.young_modulus, specification.study.glass.material.young_modulus);
   std::optional<fem::ContactCompliance> below;
   if (setup.table.substrate)
-    below =
-      of(disc_compliance, base.table.disc_material.young_modulus, study.table.disc_material.young_modulus);
+    below = of(disc_compliance, base.table.disc_material.young_modulus,
+               specification.study.table.disc_material.young_modulus);
   return std::make_shared<fem::RevolutionFoot>(
     setup, std::make_shared<const fem::ContactCompliance>(
              setup.total_compliance(own, below ? &*below : nullptr).similar(size())));
@@ -146,8 +146,8 @@ std::shared_ptr<fem::Foot> Explorer::make_foot(const Study &study, const Discret
 
 Executor Explorer::executor() const
 {
-  return Executor([this](const Study &asked, const Discretisation &mesh, const Model &model,
-                         const fem::Foot *) { return make_foot(asked, mesh, model); });
+  return Executor([this](const FootSpecification &specification, const fem::Foot *)
+                  { return make_foot(specification); });
 }
 
 void Explorer::require_mesh() const
@@ -160,8 +160,8 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 {
   const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
   rows.clear();
-  check_values(present);
-  require_no_tipping(present);
+  present.check_values();
+  present.required_resultants(); // throws if the glass tips at rest
   LiveAnswer answer;
   require_mesh();
   answer.match = mesh_match();
@@ -181,7 +181,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
 {
   if (!zero || !contact_at_zero)
     return false;
-  foot = study_foot(present, executor().make_foot, silent_progress(), nullptr, discretisation);
+  foot = study_foot({ present, discretisation }, executor().make_foot);
   foot->set_rings(last.ring_radii(), last.n_harmonics());
   const auto row_of = [&](const BalanceNearby &found)
   {
@@ -195,13 +195,13 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
   };
   try
   {
-    const auto all = balance_near(*zero, *contact_at_zero, present, foot, all_harmonics);
+    const auto all = balance_near(*zero, *contact_at_zero, foot, all_harmonics);
     if (!all)
       return false;
     if (n_harmonics < foot->n_harmonics())
     {
       const ring::ZeroGuess beside = { all->spin.omega + shift_of_truncated, all->spin.slope };
-      const auto cut = balance_near(beside, all->contact, present, foot, n_harmonics);
+      const auto cut = balance_near(beside, all->contact, foot, n_harmonics);
       if (!cut)
         return false;
       answer.truncated = row_of(*cut);
@@ -219,7 +219,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
 
 void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, LiveAnswer &answer)
 {
-  foot = study_foot(present, executor().make_foot, silent_progress(), last, discretisation);
+  foot = study_foot({ present, discretisation }, executor().make_foot, silent_progress(), last);
   if (last)
     foot->set_rings(last->ring_radii(), last->n_harmonics());
   ring::Question question = spin_question(present);
@@ -237,9 +237,9 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
     const BalancedLoad cut = find_load(present, foot, silent_progress(), n_harmonics);
     answer.truncated = ring::answer(cut, question);
     answer.truncated->harmonics = n_harmonics;
-    rows.push_back({ {}, *answer.truncated, cut });
+    rows.push_back({ { foot->specification() }, *answer.truncated, cut });
   }
-  rows.push_back({ {}, answer.full, load });
+  rows.push_back({ { foot->specification() }, answer.full, load });
   answer.contact = contact_at_zero = load.contact(answer.full.last_spin().value_or(0));
 }
 
@@ -247,17 +247,16 @@ std::optional<StudyCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
-  return find_curves(present, rows, paper, curve_load(present, rows), executor());
+  return find_curves(rows, paper, curve_load(rows), executor());
 }
 
 Budget Explorer::budget()
 {
   if (rows.empty())
     return {};
-  const StudyRows solved =
-    rows_by_harmonics(present, foot, *rows.back().load, spin_question(present), executor(), silent_progress(),
-                      Depth::rows, model_chain(present));
-  return find_budget(present, solved);
+  const Executor solver = executor();
+  return find_budget(rows_by_harmonics({ foot->specification().study, foot, solver }, *rows.back().load,
+                                       Depth::rows, model_chain(foot->specification().study)));
 }
 
 std::vector<double> serialized(const fem::ContactCompliance &compliance)

@@ -74,8 +74,7 @@ public:
   }
 
 private:
-  std::shared_ptr<fem::Foot> make_foot(const Study &study, const Discretisation &discretisation,
-                                       const Model &model) const;
+  std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification) const;
   Executor executor() const;
   void require_mesh() const;
   /// Returns the size of the foot over that of the foot of the compliances.

@@ -18,18 +18,17 @@ void require_live(const Study &study)
          "A page solves bodies of revolution only; set Contact/Body = revolution.");
   ensure(!study.has_waviness(),
          "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");
-  ensure(files_of(study).empty(),
+  ensure(files_of(entries_of(study)).empty(),
          "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
   ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
 }
 
 } // namespace
 
-LiveBodies live_bodies(const Study &study, fem::ComplianceCache &cache, const Discretisation &discretisation,
-                       double ratio)
+LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
 {
-  require_live(study);
-  fem::RevolutionSetup setup = revolution_setup(study, discretisation);
+  require_live(specification.study);
+  fem::RevolutionSetup setup = revolution_setup(specification);
   if (setup.table.substrate)
   {
     setup.table.substrate->disc.radius /= ratio;

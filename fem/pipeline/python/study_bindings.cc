@@ -10,6 +10,7 @@
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/result/schema.h"
 #include "fem/pipeline/result/verb_results.h"
@@ -105,7 +106,7 @@ auto solved(const py::object &listener, unsigned int n_threads, const Work &work
   try
   {
     const py::gil_scoped_release released;
-    return work(progress, ThreadedExecutor(*in_use, n_threads));
+    return work(ThreadedExecutor(*in_use, n_threads, progress));
   }
   catch (const Interrupted &one)
   {
@@ -151,19 +152,19 @@ Study checked(const Study &given)
 Found results_of(const std::string &verb, const Study &given, bool quick, unsigned int n_levels,
                  unsigned int n_threads, const py::object &listener, Start *start)
 {
-  const auto work = [&](Progress &progress, const Executor &executor) -> Found
+  const auto work = [&](const Executor &executor) -> Found
   {
     const Study study = checked(given);
     if (verb == "converge")
     {
       std::vector<RefinementAxis> axes = refinement_axes(study, n_levels);
-      const ErrorBands bands = converge_study(study, axes, executor, progress);
+      const ErrorBands bands = converge_study(study, axes, executor);
       return { verb, convergence_results(study, axes, bands) };
     }
     const bool truncates = verb == "truncate";
     const Depth depth = truncates ? Depth::rows : quick ? Depth::answer : Depth::full;
     const auto answer = std::make_shared<StudyAnswer>(
-      answer_study(study, depth, executor, progress, false, start ? &start->foot : nullptr));
+      answer_study(study, depth, executor, false, start ? &start->foot : nullptr));
     return { verb, truncates ? truncation_results(*answer) : run_results(*answer),
              truncates ? nullptr : answer };
   };
@@ -174,8 +175,8 @@ py::dict case_of(const Study &given, Start *start)
 {
   const CaseResult found =
     solved(py::none(), 1,
-           [&](Progress &progress, const Executor &executor)
-           { return case_result(checked(given), executor, progress, start ? &start->foot : nullptr); });
+           [&](const Executor &executor)
+           { return case_result(checked(given), executor, start ? &start->foot : nullptr); });
   py::dict all;
   for (const Quantity &quantity : sweep_columns())
     all[quantity.key.c_str()] = found.value(quantity.key);
@@ -189,13 +190,12 @@ public:
   FreeTorque(const Study &given, Start *start)
   {
     solved(py::none(), 1,
-           [&](Progress &, const Executor &executor)
+           [&](const Executor &executor)
            {
              study = checked(given);
              ensure(!study.motion.orbit_speeds, "A spin-up has a constant Motion/Orbit speed; leave out "
                                                 "Motion/Orbit speed file.");
-             const Variant variant = { VariantKind::study, "", study,
-                                       mesh_for_goal(study, executor).discretisation };
+             const Variant variant = { { study, mesh_for_goal(study, executor).discretisation } };
              const auto foot = foot_of(variant, start ? start->foot : nullptr, executor);
              const BalancedLoad load = find_load(study, foot);
              ring::Question question = spin_question(study);
@@ -325,7 +325,7 @@ PYBIND11_MODULE(_study, m)
          { assign(study_entries(study), "", path, text); })
     .def("value", [](const Study &study, const std::string &path)
          { return entry_at(entries_of(study), "", path).value(); })
-    .def_property_readonly("is_collective", &is_collective)
+    .def_property_readonly("is_collective", &Study::is_collective)
     .def("entries",
          [](const Study &study)
          {
@@ -336,7 +336,7 @@ PYBIND11_MODULE(_study, m)
            return all;
          })
     .def("check", [](const Study &study) { checked(study); })
-    .def("notes", &implausible_notes)
+    .def("notes", [](const Study &study) { return implausible_notes(entries_of(study)); })
     .def_readwrite("name", &Study::name)
     .def("prm", &study_as_prm)
     .def("answer", &case_of, "start"_a);

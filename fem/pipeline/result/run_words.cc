@@ -68,7 +68,7 @@ std::string paper_sentence(const StudyAnswer &run)
 
 std::string resting_answer(const Study &study, const ring::Answer &all)
 {
-  if (const std::string held = grip_holds_note(study, all); !held.empty())
+  if (const std::string held = grip_holds_note(study.motion.grip_torque, all); !held.empty())
     return held;
   std::string text = "The glass does not spin up.";
   if (all.terminal && !all.terminal->stable)

@@ -38,7 +38,7 @@ std::string csv_row(const std::vector<std::string> &cells)
 /// Returns the size and the modification time of each input file of the cases, one file per line.
 std::string read_files(const fs::path &folder, const CaseList &list)
 {
-  const std::vector<std::string> of_base = files_of(list.base);
+  const std::vector<std::string> of_base = files_of(entries_of(list.base));
   std::set<std::string> files(of_base.begin(), of_base.end());
   for (std::size_t e = 0; e < list.entries.size(); ++e)
     if (entry_at(default_entries(), "", list.entries[e].path).path_value != nullptr)

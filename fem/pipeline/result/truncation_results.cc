@@ -49,7 +49,7 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
   const double omega = all.omega_terminal().value();
   if (!study.is_spin(omega))
   {
-    const std::string held = grip_holds_note(study, all);
+    const std::string held = grip_holds_note(study.motion.grip_torque, all);
     return held.empty() ? "The glass does not spin up, with any number of harmonics." : held;
   }
   if (all.harmonics == 1)

@@ -155,7 +155,7 @@ std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &f
   std::vector<StudyPart> parts = { { file, read_text_file(study) } };
   std::string &text = parts.front().text;
   boost::replace_all(text, "docs/cookbooks/" + name + ".prm", file.filename().string());
-  for (const std::string &name_of_file : files_of(read_study(study)))
+  for (const std::string &name_of_file : files_of(entries_of(read_study(study))))
   {
     const fs::path read = name_of_file;
     require_regular_file("The file " + read.string() + " of the cookbook " + name, read);

@@ -97,9 +97,8 @@ void attach_profile(Study &study)
   fit_rim(points, study);
 }
 
-std::string profile_note(const Study &study)
+std::string profile_note(const GlassSection &glass)
 {
-  const GlassSection &glass = study.glass;
   if (!glass.profile.section)
     return "";
   const std::string note =

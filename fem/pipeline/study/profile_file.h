@@ -14,6 +14,6 @@ namespace stemware::pipeline
 void attach_profile(Study &study);
 
 /// Returns a note on the points and the fitted circle of a drawn section; empty for other sections.
-std::string profile_note(const Study &study);
+std::string profile_note(const GlassSection &glass);
 
 } // namespace stemware::pipeline

@@ -35,11 +35,10 @@ std::shared_ptr<const fem::InterfaceLaw> make_interface(const TableSection &tabl
 /// Returns true for a hard interface on a rigid table, or on a substrate with at least 1/100 of the foot's
 /// Young's modulus. On such a table, friction bends the foot, which may change the pressure enough to cancel
 /// the effect of the harmonics on the spin. A substrate with 1/1000 of the modulus follows the bent foot.
-bool has_stiff_contact(const Study &study)
+bool has_stiff_contact(const TableSection &table, const fem::ElasticMaterial &glass)
 {
-  const TableSection &table = study.table;
   return table.is_hard() && (table.substrate == TableSubstrate::rigid ||
-                             table.disc_material.young_modulus >= study.glass.material.young_modulus / 100);
+                             table.disc_material.young_modulus >= glass.young_modulus / 100);
 }
 
 } // namespace
@@ -55,6 +54,19 @@ fem::Table TableSection::make() const
 bool TableSection::is_hard() const
 {
   return make().interface->is_hard();
+}
+
+bool Study::depends_on_spin() const
+{
+  return ring::friction_arm(motion.closure, motion.orbit) != 0 || friction_deforms();
+}
+
+unsigned int Study::edge_halvings() const
+{
+  if (!contact.mesh_file.empty())
+    return 0;
+  const unsigned int wanted = fem::edge_halvings_for(glass.profile, table.is_hard());
+  return contact.goal != Goal::none ? std::min(wanted, 2u) : wanted;
 }
 
 bool Study::tilts() const
@@ -123,16 +135,23 @@ double moment_ratio(const fem::Resultants &load, double contact_radius)
   return std::hypot(load.moment_x, load.moment_y) / (load.normal_force * contact_radius / 2);
 }
 
-std::string friction_note(const Study &study)
+std::string Study::friction_note() const
 {
-  if (!study.load.is_from_contact())
+  if (!load.is_from_contact())
     return "";
-  const bool is_stiff = has_stiff_contact(study);
-  if (study.friction_deforms())
-    return std::string("deforms the foot") + (study.table.make().substrate ? " and the table" : "") +
+  const bool is_stiff = has_stiff_contact(table, glass.material);
+  if (friction_deforms())
+    return std::string("deforms the foot") + (table.make().substrate ? " and the table" : "") +
            (is_stiff ? ": with a hard interface on so stiff a table it may decide the second harmonic" : "");
   return std::string("does not deform the foot") +
          (is_stiff ? "; with a hard interface on so stiff a table it might decide the second harmonic" : "");
+}
+
+std::string Study::frozen_note() const
+{
+  return load.coupling == LoadCoupling::one_way && !load.is_static() && depends_on_spin()
+           ? "the load at rest is used at every spin; Load/Coupling = two-way computes it at each spin"
+           : "";
 }
 
 } // namespace stemware::pipeline

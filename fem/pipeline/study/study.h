@@ -32,6 +32,19 @@ struct Study
   /// Returns true if friction tractions deform foot and substrate.
   bool friction_deforms() const { return contact.friction_coupling == FrictionCoupling::elastic; }
 
+  /// Returns true if the spin affects the contact: friction enters the moment balance or deforms the foot.
+  bool depends_on_spin() const;
+
+  /// Returns true if every spin has its own balance of contact, friction and moments, and so its own load.
+  bool varies_with_spin() const { return load.is_in_balance() && depends_on_spin(); }
+
+  /// Returns true if all ranks must solve the foot together.
+  bool is_collective() const { return load.is_from_contact() && abilities(contact.body).is_collective; }
+
+  /// Returns FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() for a generated mesh,
+  /// but at most 2 with a goal, whose mesh is refined further; 0 for a mesh file.
+  unsigned int edge_halvings() const;
+
   /// Returns true if the tilt of the glass enters the moment balance: Motion/Tilt = included, Motion/Closure
   /// = full, and a contact whose moment is not given.
   bool tilts() const;
@@ -57,15 +70,19 @@ struct Study
 
   /// Returns true if @p omega exceeds rounding_of_spins().
   bool is_spin(double omega) const { return std::abs(omega) >= rounding_of_spins(); }
+
+  /// Returns a clause: whether friction deforms the foot, and whether this may matter; empty without a
+  /// contact.
+  std::string friction_note() const;
+
+  /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.
+  std::string frozen_note() const;
+
+  /// Throws BadInput for incompatible, unphysical or unsupported values.
+  void check_values() const;
 };
 
 /// Returns the moment ratio m = |M_N| / (N R / 2) of @p load, R = @p contact_radius [m].
 double moment_ratio(const fem::Resultants &load, double contact_radius);
-
-/// Returns a clause: whether friction deforms the foot, and whether this may matter; empty without a contact.
-std::string friction_note(const Study &study);
-
-/// Throws BadInput for incompatible, unphysical or unsupported values.
-void check_values(const Study &study);
 
 } // namespace stemware::pipeline

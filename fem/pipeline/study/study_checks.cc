@@ -147,25 +147,21 @@ void require_load_file(const LoadSection &load)
            " contradicts Load/Source = file, whose load has a moment of its own; leave Moment ratio at -1.");
 }
 
-void require_known_waviness(const Study &study)
+void require_known_waviness(const std::string &entry, const Waviness &waviness, const ContactSection &contact,
+                            const LoadSection &load)
 {
-  using Wavy = std::pair<std::string, Waviness>;
-  for (const auto &[entry, waviness] :
-       { Wavy("Glass/Rim waviness", study.glass.waviness), Wavy("Table/Waviness", study.table.waviness) })
-  {
-    if (waviness.empty())
-      continue;
-    ensure(abilities(study.contact.body).is_of_revolution,
-           entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
-             " empty and draw the foot in a mesh file.");
-    ensure(study.load.is_from_contact(),
-           entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
-    for (const fem::WavinessHarmonic &harmonic : waviness)
-      ensure(harmonic.n <= study.contact.harmonics,
-             filled("{} has a harmonic n = {}, but the foot has {} elastic harmonics; set Contact/Harmonics "
-                    "to at least n.",
-                    { entry, std::to_string(harmonic.n), std::to_string(study.contact.harmonics) }));
-  }
+  if (waviness.empty())
+    return;
+  ensure(abilities(contact.body).is_of_revolution,
+         entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
+           " empty and draw the foot in a mesh file.");
+  ensure(load.is_from_contact(),
+         entry + " needs Load/Source = contact; set that, or leave " + entry + " empty.");
+  for (const fem::WavinessHarmonic &harmonic : waviness)
+    ensure(harmonic.n <= contact.harmonics,
+           filled("{} has a harmonic n = {}, but the foot has {} elastic harmonics; set Contact/Harmonics "
+                  "to at least n.",
+                  { entry, std::to_string(harmonic.n), std::to_string(contact.harmonics) }));
 }
 
 /// Checks that the hand is above the table and that Motion/Hand height and Motion/Force offset agree.
@@ -271,60 +267,51 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                : "check number and unit.");
 }
 
-/// Returns a list of the implausible values, followed by @p sentence, the reason why the glass tips at rest.
-std::string with_implausible_values(const Study &study, const std::string &sentence)
-{
-  std::vector<std::string> list;
-  for (const StudyEntry &entry : implausible_entries(entries_of(study)))
-    list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
-  return list.empty() ? sentence : "Unusual values for a glass: " + boost::join(list, ", ") + ". " + sentence;
-}
-
 } // namespace
 
-void check_values(const Study &study)
+void Study::check_values() const
 {
-  const std::vector<StudyEntry> entries = entries_of(study);
-  const ring::Motion &motion = study.motion.orbit;
-  const bool is_from_contact = study.load.is_from_contact();
-  require_hand_above_table(entries, study.motion);
+  const std::vector<StudyEntry> entries = entries_of(*this);
+  const bool is_from_contact = load.is_from_contact();
+  require_hand_above_table(entries, motion);
   ensure(
-    study.motion.breakaway_friction == 0 || study.motion.breakaway_friction >= motion.friction_coefficient,
+    motion.breakaway_friction == 0 || motion.breakaway_friction >= motion.orbit.friction_coefficient,
     filled("Motion/Breakaway friction = {} is less than Motion/Friction coefficient = {}, with which the "
            "glass slides; give at least the coefficient of sliding, or 0 to use it.",
-           { to_text(study.motion.breakaway_friction), to_text(motion.friction_coefficient) }));
+           { to_text(motion.breakaway_friction), to_text(motion.orbit.friction_coefficient) }));
   require_conceivable(entries);
-  require_able_body(study.contact, study.table);
-  require_known_waviness(study);
-  require_alike_lengths(entries, study.glass.profile.contact_radius);
+  require_able_body(contact, table);
+  require_known_waviness("Glass/Rim waviness", glass.waviness, contact, load);
+  require_known_waviness("Table/Waviness", table.waviness, contact, load);
+  require_alike_lengths(entries, glass.profile.contact_radius);
   if (is_from_contact)
   {
-    require_mat_that_yields(study.table, study.glass);
-    require_goal_with_estimate(study.contact, study.table);
+    require_mat_that_yields(table, glass);
+    require_goal_with_estimate(contact, table);
   }
-  require_load_file(study.load);
+  require_load_file(load);
   try
   {
-    study.motion.orbit.validate();
+    motion.orbit.validate();
     if (is_from_contact) // without a contact there is no foot
-      study.glass.material.validate();
-    if (is_from_contact && study.contact.mesh_file.empty())
+      glass.material.validate();
+    if (is_from_contact && contact.mesh_file.empty())
     {
-      study.glass.profile.validate();
-      study.contact.resolution.validate();
+      glass.profile.validate();
+      contact.resolution.validate();
     }
   }
   catch (const std::invalid_argument &error)
   {
     throw BadInput(with_entries(error.what()));
   }
-  require_known_speeds(study);
+  require_known_speeds(*this);
 }
 
-std::vector<std::string> unused_entries(const Study &study)
+std::vector<std::string> unused_entries(const std::vector<StudyEntry> &entries)
 {
   std::vector<std::string> idle;
-  for (const StudyEntry &entry : entries_of(study))
+  for (const StudyEntry &entry : entries)
     if (entry.is_given && !entry.has_effect)
       idle.push_back(entry.path());
   return idle;
@@ -343,10 +330,10 @@ std::string implausible_note(const std::string &path, double value)
   return is_implausible(entry, value) ? implausible_note(entry, value) : "";
 }
 
-std::vector<std::string> implausible_notes(const Study &study)
+std::vector<std::string> implausible_notes(const std::vector<StudyEntry> &entries)
 {
   std::vector<std::string> notes;
-  for (const StudyEntry &entry : implausible_entries(entries_of(study)))
+  for (const StudyEntry &entry : implausible_entries(entries))
     notes.push_back(implausible_note(entry, *entry.quantity));
   return notes;
 }
@@ -359,7 +346,12 @@ void require_no_tipping_at_rest(const Study &study)
   }
   catch (const ring::Tipping &tipping)
   {
-    throw ring::Tipping(with_implausible_values(study, tipping.what()));
+    std::vector<std::string> list;
+    for (const StudyEntry &entry : implausible_entries(entries_of(study)))
+      list.push_back(assignment(entry, *entry.quantity) + " (" + plausible_text(entry) + ')');
+    const std::string beginning =
+      list.empty() ? "" : "Unusual values for a glass: " + boost::join(list, ", ") + ". ";
+    throw ring::Tipping(beginning + tipping.what());
   }
 }
 

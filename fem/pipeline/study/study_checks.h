@@ -8,9 +8,9 @@
 namespace stemware::pipeline
 {
 
-/// Returns "Section/Entry" of the given entries (Study::given_entries) that affect no result, in the order of
-/// a study file: for example the modulus of a disc on a rigid substrate.
-std::vector<std::string> unused_entries(const Study &study);
+/// Returns "Section/Entry" of the given @p entries (StudyEntry::is_given) that affect no result, in the order
+/// of a study file: for example the modulus of a disc on a rigid substrate.
+std::vector<std::string> unused_entries(const std::vector<StudyEntry> &entries);
 
 /// Returns a sentence that names @p entries; empty without entries.
 std::string unused_entries_note(const std::vector<std::string> &entries);
@@ -19,8 +19,8 @@ std::string unused_entries_note(const std::vector<std::string> &entries);
 /// 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and for an optional entry 0.
 std::string implausible_note(const std::string &path, double value);
 
-/// Returns the implausible_note() of each given entry that has an effect.
-std::vector<std::string> implausible_notes(const Study &study);
+/// Returns the implausible_note() of each of @p entries that is given and has an effect.
+std::vector<std::string> implausible_notes(const std::vector<StudyEntry> &entries);
 
 /// Throws ring::Tipping if the glass would tip at rest. Implausible values, the likelier cause, begin the
 /// message: "Unusual values for a glass: Motion/Mass = 300 kg (0.02 to 2 kg). The glass would tip ...".

@@ -204,10 +204,10 @@ void forget_stated_defaults(Study &study)
       study.given_entries.erase(own[i].path());
 }
 
-std::vector<std::string *> paths_of(Study &study)
+std::vector<std::string *> paths_of(const std::vector<StudyEntry> &entries)
 {
   std::vector<std::string *> paths;
-  for (const StudyEntry &entry : study_entries(study))
+  for (const StudyEntry &entry : entries)
     if (entry.path_value && !entry.path_value->empty())
       paths.push_back(entry.path_value);
   return paths;
@@ -295,7 +295,7 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
 
 void check_study(const Study &study)
 {
-  check_values(study);
+  study.check_values();
   // Only the existence of files is checked before the computation, not their contents.
   if (study.load.source == LoadSource::file)
     require_regular_file("Load/File = " + shortened_path(study.load.file), study.load.file);
@@ -320,7 +320,7 @@ Study read_study(const std::string &file, const std::vector<std::string> &overri
               without_overridden(study, overrides));
   }
   forget_stated_defaults(study);
-  for (std::string *path : paths_of(study))
+  for (std::string *path : paths_of(entries))
     *path = (std::filesystem::path(file).parent_path() / *path).lexically_normal().string();
   apply(overrides, entries);
   read_files_and_check(study);
@@ -355,18 +355,17 @@ std::string unit_of(const std::string &path)
   return "";
 }
 
-std::vector<std::string> files_of(const Study &study)
+std::vector<std::string> files_of(const std::vector<StudyEntry> &entries)
 {
-  Study copy = study;
   std::vector<std::string> files;
-  for (const std::string *path : paths_of(copy))
+  for (const std::string *path : paths_of(entries))
     files.push_back(*path);
   return files;
 }
 
 Study with_paths_from(const std::filesystem::path &folder, Study study)
 {
-  for (std::string *path : paths_of(study))
+  for (std::string *path : paths_of(study_entries(study)))
     *path = std::filesystem::relative(*path, folder).string();
   return study;
 }
@@ -390,7 +389,7 @@ std::string study_as_prm(const Study &study)
 
 std::string study_identity(Study study)
 {
-  for (std::string *path : paths_of(study))
+  for (std::string *path : paths_of(study_entries(study)))
     *path = std::filesystem::absolute(*path).lexically_normal().string();
   return study_as_prm(study);
 }

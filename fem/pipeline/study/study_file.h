@@ -12,7 +12,7 @@
 namespace stemware::pipeline
 {
 
-/// Throws BadInput as check_values(), and for missing files or a study that exceeds its limits.
+/// Throws BadInput as Study::check_values(), and for missing files or a study that exceeds its limits.
 void check_study(const Study &study);
 
 /// Reads a study file, applies @p overrides ("Section/Entry=value", each for another entry) and checks the
@@ -42,8 +42,8 @@ Study with_values(Study study, const std::string &option,
 /// Returns the unit of the entry of @p path: "1" for pure numbers; empty for words, paths, unknown entries.
 std::string unit_of(const std::string &path);
 
-/// Returns the files that the study reads.
-std::vector<std::string> files_of(const Study &study);
+/// Returns the files that a study with these @p entries reads.
+std::vector<std::string> files_of(const std::vector<StudyEntry> &entries);
 
 /// Returns @p study with its paths relative to a study file in @p folder.
 Study with_paths_from(const std::filesystem::path &folder, Study study);

@@ -22,18 +22,17 @@ constexpr double unknowns_per_cell = 4.5;
 
 /// Adds the memory of a dense system (unknowns: harmonics times points across the land), of the state on all
 /// lines, and of several factorised meridional problems.
-void add_body_of_revolution(const Study &study, StudySize &size)
+void add_body_of_revolution(const ContactSection &contact, const fem::GlassProfile &profile,
+                            const TableSection &table, StudySize &size)
 {
-  const ContactSection &contact = study.contact;
-  const fem::GlassProfile &profile = study.glass.profile;
   const double halvings = std::pow(2., contact.refinements);
   const double across = contact.degree * 2. * contact.resolution.radial_cells * halvings + 1;
   const auto slenderness = [](double length, double thickness) { return std::ceil(length / thickness); };
   double coarse =
     40 * contact.resolution.radial_cells + 4 * (slenderness(profile.foot_radius, profile.foot_thickness) +
                                                 slenderness(profile.stem_height, profile.stem_radius));
-  if (study.table.make().substrate)
-    coarse += 4 * slenderness(study.table.disc.radius, study.table.disc.thickness);
+  if (table.make().substrate)
+    coarse += 4 * slenderness(table.disc.radius, table.disc.thickness);
   const double nodes = coarse * std::pow(halvings * contact.degree, 2);
   size.unknowns = across * (2. * contact.harmonics + 1);
   size.memory += 3 * 800 * nodes + 52 * size.unknowns * size.unknowns + 4000 * across * contact.azimuth_lines;
@@ -71,11 +70,9 @@ double coarse_unknowns(const ContactSection &contact)
   return unknowns_per_cell * contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
 }
 
-void add_solid_body(const Study &study, StudySize &size)
+void add_solid_body(const ContactSection &contact, unsigned int n_edge_halvings, StudySize &size)
 {
-  const ContactSection &contact = study.contact;
   size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
-  const unsigned int n_edge_halvings = edge_halvings(study);
   if (n_edge_halvings > 0) // the edge adds 19 to 28 cells per azimuthal cell, including transition cells
     size.unknowns +=
       unknowns_per_cell * 20 *
@@ -115,15 +112,6 @@ StudyEntry costliest_entry(Study &study)
 
 } // namespace
 
-unsigned int edge_halvings(const Study &study)
-{
-  const ContactSection &contact = study.contact;
-  if (!contact.mesh_file.empty())
-    return 0;
-  const unsigned int wanted = fem::edge_halvings_for(study.glass.profile, study.table.is_hard());
-  return contact.goal != Goal::none ? std::min(wanted, 2u) : wanted;
-}
-
 StudySize size_of(const Study &study)
 {
   StudySize size;
@@ -132,18 +120,17 @@ StudySize size_of(const Study &study)
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)
-    add_body_of_revolution(study, size);
+    add_body_of_revolution(study.contact, study.glass.profile, study.table, size);
   else if (study.load.is_from_contact())
-    add_solid_body(study, size);
+    add_solid_body(study.contact, study.edge_halvings(), size);
   return size;
 }
 
-std::string memory_note(const Study &study)
+std::string StudySize::memory_note() const
 {
   constexpr double worth_saying = 1e9;
-  const StudySize size = size_of(study);
-  return size.memory > worth_saying
-           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} unknowns"), size.memory / 1e9, size.unknowns)
+  return memory > worth_saying
+           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} unknowns"), memory / 1e9, unknowns)
            : "";
 }
 

@@ -16,16 +16,12 @@ struct StudySize
   double unknowns = 0; ///< unknowns of the largest linear system
   double memory = 0;   ///< [byte]
   double steps = 0;    ///< time steps of the spin-up
+
+  /// Returns a clause about a memory of more than 1 GB; empty otherwise.
+  std::string memory_note() const;
 };
 
-/// Returns FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() for a generated mesh, but
-/// at most 2 with a goal, whose mesh is refined further; 0 for a mesh file.
-unsigned int edge_halvings(const Study &study);
-
 StudySize size_of(const Study &study);
-
-/// Returns a sentence about the memory of a study that needs more than 1 GB; empty otherwise.
-std::string memory_note(const Study &study);
 
 /// Throws BadInput that names the costliest entry if @p study exceeds Contact/Memory limit or Motion/Step
 /// limit.

@@ -92,7 +92,7 @@ TEST_P(BalanceOnTables, FrictionTorqueAtRestIsMuTimesTheMomentAboutX)
     Study study = study_on(GetParam());
     study.motion.tilt = tilt;
     fem::ComplianceCache cache;
-    const BalancedLoad load = find_load(study, study_foot(study, cache));
+    const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
     const ring::Motion &motion = study.motion.orbit;
     const ring::Sample rest = load.at(0);
     const ring::Wrench friction =

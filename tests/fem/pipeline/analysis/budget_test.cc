@@ -38,22 +38,21 @@ Texts rows_of(const Budget &budget)
 Texts names_without(const Study &study, const Model &model = {})
 {
   Texts names;
-  for (const Variant &variant : variants_without({ VariantKind::study, "", study, {}, model }))
+  for (const Variant &variant : variants_without({ { study, {}, model } }))
     names.push_back(variant.name);
   return names;
 }
 
 StudyRows rows_of(const Study &study, const ring::RingStack &load, const Executor &executor)
 {
-  return rows_by_harmonics(study, nullptr, given_load(load), spin_question(study), executor,
-                           silent_progress(), Depth::full,
-                           budget_variants(own_variant(study, nullptr), false));
+  return rows_by_harmonics({ study, nullptr, executor }, given_load(load), Depth::full,
+                           budget_variants({ study }, false));
 }
 
 Budget budget_of(const Study &study, const ring::RingStack &load)
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, given_load(load), ThreadedExecutor(cache)).budget;
+  return study_spin({ study, nullptr, ThreadedExecutor(cache) }, given_load(load)).budget;
 }
 
 Budget budget_of(const Study &study)
@@ -67,7 +66,7 @@ Texts contact_rows(const Study &study, Texts rows)
 {
   fem::ComplianceCache cache;
   const std::vector<unsigned int> orders =
-    truncation_orders(find_load(study, study_foot(study, cache)).n_harmonics());
+    truncation_orders(find_load(study, study_foot(study, foot_maker(cache))).n_harmonics());
   for (std::size_t i = 1; i < orders.size(); ++i)
     rows.push_back(std::to_string(i + 3) + " harmonics " +
                    (i + 1 < orders.size() ? std::to_string(orders[i]) : "all"));
@@ -138,7 +137,7 @@ TEST(Budget, LiquidActsAsAPointMassAtItsMetacentreOrWithoutLeanAtItsCentre)
   };
   const double omega = test::SolvedStudy(filled).omega();
   EXPECT_NEAR(omega / empty(middle + up * (1 + slope * slope / 2)), 1, 1e-9);
-  for (const Variant &variant : variants_without(own_variant(filled, nullptr)))
+  for (const Variant &variant : variants_without({ filled }))
     if (variant.name == "lean of the liquid")
     {
       const double level_surface = test::SolvedStudy(variant.study).omega();
@@ -228,7 +227,7 @@ TEST(Budget, ListsOneVariantPerEffectThatOmitsThisEffect)
   EXPECT_EQ(names_without(study), (Texts{ "friction in the foot", "friction in the substrate",
                                           "elasticity of the foot", "elasticity of the substrate",
                                           "compliance of the interface", "tilt", "grip", "waviness" }));
-  for (const Variant &variant : variants_without(own_variant(study, nullptr)))
+  for (const Variant &variant : variants_without({ study }))
     EXPECT_EQ(names_without(variant.study, variant.model).size(),
               7u -
                 (variant.name == "elasticity of the foot" || variant.name == "elasticity of the substrate"))
@@ -250,12 +249,12 @@ TEST(Budget, FindsWhetherAnyBodyOrInterfaceIsCompliant)
 {
   Study study = test::mat_study();
   study.table.interface = TableInterface::hard;
-  EXPECT_TRUE(has_compliance(study, {}));
-  EXPECT_FALSE(has_compliance(study, test::rigid_foot()));
+  EXPECT_TRUE(has_compliance(study));
+  EXPECT_FALSE(has_compliance({ study, {}, test::rigid_foot() }));
   study.table.substrate = TableSubstrate::elastic;
-  EXPECT_TRUE(has_compliance(study, test::rigid_foot()));
+  EXPECT_TRUE(has_compliance({ study, {}, test::rigid_foot() }));
   study.table = {};
-  EXPECT_TRUE(has_compliance(study, test::rigid_foot())); // compliance of the Winkler interface
+  EXPECT_TRUE(has_compliance({ study, {}, test::rigid_foot() })); // compliance of the Winkler interface
 }
 
 TEST(Budget, DifferencesAddUpToTheTotal)
@@ -324,7 +323,7 @@ TEST(Budget, AFailedRowKeepsItsReasonAndInvalidatesOnlyTheDifferencesToIt)
   second.row.harmonics = 2;
   second.row.status = ring::Status::tips;
   second.row.reason = "it tips";
-  const Budget budget = find_budget(study, rows);
+  const Budget budget = find_budget(rows);
   const BudgetRow &failed = budget.rows[2];
   EXPECT_EQ(failed.harmonics, 2u);
   EXPECT_FALSE(failed.omega_terminal);
@@ -337,7 +336,7 @@ TEST(Budget, AFailedRowKeepsItsReasonAndInvalidatesOnlyTheDifferencesToIt)
   EXPECT_TRUE(budget.rows[4].difference);
   EXPECT_TRUE(budget.rows[4].reason.empty());
   rows.by_harmonics[0] = rows.by_harmonics[1];
-  const Budget without_first = find_budget(study, rows);
+  const Budget without_first = find_budget(rows);
   EXPECT_FALSE(without_first.harmonics.absolute);
 }
 
@@ -372,10 +371,7 @@ TEST(Budget, WavyRimWithoutInterfaceComplianceSpinsAsOnAHardTable)
   ASSERT_TRUE(row->omega_terminal) << row->reason;
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
-  const ring::Answer hard = solve_rows({ { VariantKind::study, "", study, {}, {}, all_harmonics } }, nullptr,
-                                       {}, ThreadedExecutor(cache))
-                              .front()
-                              .row;
+  const ring::Answer hard = solve_rows({ { study } }, nullptr, {}, ThreadedExecutor(cache)).front().row;
   EXPECT_GT(hard.ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

@@ -165,8 +165,7 @@ const std::vector<Effect> effects = {
 Json results_of(const Study &study)
 {
   fem::ComplianceCache cache;
-  const StudyAnswer answer =
-    answer_study(study, Depth::answer, ThreadedExecutor(cache), silent_progress(), false);
+  const StudyAnswer answer = answer_study(study, Depth::answer, ThreadedExecutor(cache), false);
   const Results results = run_results(answer);
   Json all = results.summary;
   for (const ResultFile &file : results.files)

@@ -84,7 +84,7 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
       largest = std::max(largest, place.density);
     const LineContact hertz(study, largest / study.glass.profile.contact_radius);
     const ErrorBands bands =
-      estimate_bands(study, solved.foot, solved.row, {}, ThreadedExecutor(solved.cache));
+      estimate_bands({ study, solved.foot, ThreadedExecutor(solved.cache) }, solved.row, {});
     ASSERT_FALSE(bands.empty()) << i;
     for (const auto &[key, right] :
          { std::pair("peak_pressure", hertz.peak), { "contact_width", 2 * hertz.half_width } })

@@ -72,7 +72,7 @@ public:
     const std::optional<double> omega_first =
       ring::answer(first, spin_question(study)).value().omega_terminal();
     const ErrorBands bands =
-      estimate_bands(study, solved.foot, solved.row, omega_first, ThreadedExecutor(solved.cache));
+      estimate_bands({ study, solved.foot, ThreadedExecutor(solved.cache) }, solved.row, omega_first);
     ASSERT_FALSE(bands.empty());
     const std::map<std::string, double> truth = truth_of(state, solved.omega(), omega_first);
     for (const BandedQuantity &banded : bands)
@@ -256,7 +256,7 @@ void expect_within_bands(const Study &study, const std::map<std::string, double>
   const test::SolvedStudy solved(study, test::rigid_foot());
   fem::ComplianceCache cache;
   const ErrorBands bands =
-    estimate_bands(study, solved.foot, solved.row, std::nullopt, ThreadedExecutor(cache));
+    estimate_bands({ study, solved.foot, ThreadedExecutor(cache) }, solved.row, std::nullopt);
   for (const auto &[key, value] : expected)
   {
     const auto found = find_quantity(bands, key);

@@ -93,7 +93,7 @@ ring::Answer row_at_height(double height, bool rigid)
   Study study = test::mat_study();
   study.motion.orbit.centre_of_mass_height = height;
   const std::shared_ptr<ElasticFoot> foot =
-    study_foot(study, cache, silent_progress(), nullptr, {}, rigid ? rigid_foot() : Model());
+    study_foot({ study, {}, rigid ? rigid_foot() : Model() }, foot_maker(cache));
   return ring::answer(find_load(study, foot), spin_question(study)).value();
 }
 
@@ -124,12 +124,11 @@ TEST(Fall, RunTruncateAndSweepFindTippingAtTheSameHeights)
   {
     study.motion.orbit.centre_of_mass_height = height;
     const bool falls = height > 0.134575746;
-    const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+    const std::shared_ptr<ElasticFoot> foot = study_foot(study, foot_maker(cache));
     const BalancedLoad load = find_load(study, foot);
-    const SpinStudy run = study_spin(study, foot, load, executor, silent_progress(), Depth::answer);
+    const SpinStudy run = study_spin({ study, foot, executor }, load, Depth::answer);
     EXPECT_EQ(run.answer().fall.has_value(), falls) << height;
-    const ring::Answer truncated =
-      answer_study(study, Depth::rows, executor, silent_progress(), false).spin.answer();
+    const ring::Answer truncated = answer_study(study, Depth::rows, executor, false).spin.answer();
     EXPECT_EQ(truncated.fall.has_value(), falls) << height;
     EXPECT_EQ(case_result(study, executor).status, falls ? "tips" : "ok") << height;
     if (!falls)

@@ -53,17 +53,17 @@ Study much_finer(Study study)
 
 BalancedLoad load_of(const Study &study, fem::ComplianceCache &cache)
 {
-  return find_load(study, study_foot(study, cache));
+  return find_load(study, study_foot(study, foot_maker(cache)));
 }
 
 struct Levels
 {
   Levels(const Study &study, const Study &finer_study)
-      : foot(study_foot(study, cache))
+      : foot(study_foot(study, foot_maker(cache)))
       , load(find_load(study, foot))
       , row(ring::answer(load, question_of(study)).value())
       , omega(row.terminal->omega)
-      , quick(estimate_bands(study, foot, row, std::nullopt, ThreadedExecutor(cache)))
+      , quick(estimate_bands({ study, foot, ThreadedExecutor(cache) }, row, std::nullopt))
       , finer(quantities_of_load(finer_study, load_of(finer_study, cache), spins_of_interest(omega), omega))
   {
   }
@@ -220,9 +220,9 @@ public:
 TEST(ErrorBands, AreEmptyIfAChangedDiscretisationHasNoBalance)
 {
   const test::SolvedStudy solved(test::quick_contact_study());
-  const Executor executor([](const Study &, const Discretisation &, const Model &, const fem::Foot *)
+  const Executor executor([](const FootSpecification &, const fem::Foot *)
                           { return std::make_shared<FootWithoutBalance>(); });
-  EXPECT_TRUE(estimate_bands(solved.study, solved.foot, solved.row, std::nullopt, executor).empty());
+  EXPECT_TRUE(estimate_bands({ solved.study, solved.foot, executor }, solved.row, std::nullopt).empty());
 }
 
 /// Budget rows with a closed form have no error band.
@@ -234,14 +234,12 @@ TEST(ErrorBands, ExistForExactlyTheBudgetRowsWithAContactAndAgreeWithTheSpinBand
   study.contact.load_harmonics = 24;
   const test::SolvedStudy solved(study);
   fem::ComplianceCache cache;
-  const StudyRows answers =
-    rows_by_harmonics(study, solved.foot, solved.load, spin_question(study), ThreadedExecutor(cache),
-                      silent_progress(), Depth::full, model_chain(study));
-  std::vector<BudgetRow> rows = assess_chain(study, answers);
+  const StudyRows answers = rows_by_harmonics({ study, solved.foot, ThreadedExecutor(cache) }, solved.load,
+                                              Depth::full, model_chain(study));
+  std::vector<BudgetRow> rows = assess_chain(answers);
   ASSERT_EQ(rows.back().step.number, 11u); // rows 1, 2, 3, 3a, 4 ... 11
-  const ErrorBands bands =
-    estimate_bands(study, solved.foot, solved.row, answers.by_harmonics.front().row.omega_terminal(),
-                   ThreadedExecutor(cache));
+  const ErrorBands bands = estimate_bands({ study, solved.foot, ThreadedExecutor(cache) }, solved.row,
+                                          answers.by_harmonics.front().row.omega_terminal());
   const std::optional<double> all = band_of(bands, "omega_terminal"),
                               first = band_of(bands, "omega_first_harmonic");
   ASSERT_TRUE(all && first);

@@ -163,9 +163,9 @@ TEST(RigidFoot, ErrorBandsContainTheNumbersOfOtherCode)
     with_slope.with_slope = true;
     const ring::Answer all = ring::answer(solved.load, spin_question(study, with_slope)).value();
     const BalancedLoad first = find_load(study, solved.foot, silent_progress(), 1);
-    const ErrorBands bands = estimate_bands(
-      study, solved.foot, all, ring::answer(first, spin_question(study)).value().omega_terminal(),
-      ThreadedExecutor(solved.cache));
+    const ErrorBands bands =
+      estimate_bands({ study, solved.foot, ThreadedExecutor(solved.cache) }, all,
+                     ring::answer(first, spin_question(study)).value().omega_terminal());
     for (const auto &[key, expected] : state.expected)
     {
       const bool is_torque = key == "half"; // torque at half of the reference terminal spin

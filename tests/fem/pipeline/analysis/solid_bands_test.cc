@@ -24,12 +24,12 @@ namespace
 ErrorBands bands_of(const Study &study)
 {
   fem::ComplianceCache cache;
-  const std::shared_ptr<ElasticFoot> foot = study_foot(study, cache);
+  const std::shared_ptr<ElasticFoot> foot = study_foot(study, foot_maker(cache));
   const BalancedLoad load = find_load(study, foot);
   ring::Question question = { study.motion.orbit };
   question.with_slope = true;
-  return estimate_bands(study, foot, ring::answer(load, question).value(), std::nullopt,
-                        ThreadedExecutor(cache));
+  return estimate_bands({ study, foot, ThreadedExecutor(cache) }, ring::answer(load, question).value(),
+                        std::nullopt);
 }
 
 Study revolved(Study study, unsigned int refinements = 1)
@@ -166,7 +166,7 @@ void expect_bands_of_plate(double eccentricity, double direction)
 double mean_spin(const Study &study)
 {
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
   return ring::answer(load, { study.motion.orbit }).value().zero_of_mean_torque;
 }
 

@@ -34,7 +34,7 @@ double value_of(Study study, Goal goal, unsigned int refinements)
 {
   study.contact.refinements = refinements;
   fem::ComplianceCache cache;
-  const BalancedLoad load = find_load(study, study_foot(study, cache));
+  const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
   if (goal == Goal::a2)
     return load.report().rings.a(2) / load.report().rings.a(0);
   return ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
@@ -43,10 +43,10 @@ double value_of(Study study, Goal goal, unsigned int refinements)
 GoalError error_of(const Study &study, const Discretisation &discretisation = {})
 {
   fem::ComplianceCache cache;
-  const auto foot = study_foot(study, cache, silent_progress(), nullptr, discretisation);
+  const auto foot = study_foot({ study, discretisation }, foot_maker(cache));
   const BalancedLoad load = find_load(study, foot);
   const double omega = ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
-  return goal_error(study, *foot, load, omega, study.contact.goal, true).value();
+  return goal_error(*foot, load, omega, study.contact.goal, true).value();
 }
 
 } // namespace

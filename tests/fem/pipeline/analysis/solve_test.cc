@@ -27,14 +27,14 @@ std::vector<double> results_on(unsigned int n_threads)
   const SolvedStudy solved(quick_contact_study());
   fem::ComplianceCache cache;
   const ThreadedExecutor executor(cache, n_threads);
-  const SpinStudy spin = study_spin(solved.study, solved.foot, solved.load, executor);
+  const SpinStudy spin = study_spin({ solved.study, solved.foot, executor }, solved.load);
   std::vector<double> digits = { spin.one_ring->omega_terminal().value_or(0) };
   for (const BudgetRow &row : spin.budget.rows)
     digits.push_back(row.omega_terminal.value_or(0));
   for (const WithoutRow &row : spin.budget.without)
     digits.push_back(row.omega_terminal.value_or(0));
   for (const BandedQuantity &banded :
-       estimate_bands(solved.study, solved.foot, spin.answer(), std::nullopt, executor))
+       estimate_bands({ solved.study, solved.foot, executor }, spin.answer(), std::nullopt))
     digits.push_back(banded.band);
   return digits;
 }
@@ -50,7 +50,7 @@ TEST(Solve, ResultsDoNotDependOnTheNumberOfThreads)
 TEST(Solve, ResultsDoNotDependOnTheOrderOfTheVariants)
 {
   const SolvedStudy solved(quick_contact_study());
-  std::vector<Variant> variants = variants_without(own_variant(solved.study, solved.foot.get()));
+  std::vector<Variant> variants = variants_without({ solved.foot->specification() });
   for (const Variant &model : model_chain(solved.study))
     variants.push_back(model);
   fem::ComplianceCache cache;
@@ -65,7 +65,7 @@ TEST(Solve, ResultsDoNotDependOnTheOrderOfTheVariants)
 TEST(Solve, AFailedVariantGivesItsReasonAndTheOthersContinue)
 {
   const Study study = quick_contact_study();
-  std::vector<Variant> variants(3, { VariantKind::study, "", study });
+  std::vector<Variant> variants(3, { { study } });
   variants[0].reason = "not defined";
   variants[1].study.load.moment_ratio = 2.3;
   std::vector<std::size_t> done;
@@ -82,7 +82,7 @@ TEST(Solve, AFailedVariantGivesItsReasonAndTheOthersContinue)
 
 TEST(Solve, FailuresAreStoredPerVariantOrThrownAtOnce)
 {
-  const std::vector<Variant> variants(2, { VariantKind::study, "", quick_contact_study() });
+  const std::vector<Variant> variants(2, { { quick_contact_study() } });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int
   { throw std::logic_error("a bug"); };
   fem::ComplianceCache cache;

@@ -16,15 +16,15 @@ struct SolvedRun : pipeline::StudyAnswer
 {
   explicit SolvedRun(const pipeline::Study &given, const pipeline::Model &model = {})
       : pipeline::StudyAnswer{ given }
-      , foot(pipeline::study_foot(study, cache, pipeline::silent_progress(), nullptr, {}, model))
+      , foot(pipeline::study_foot({ study, {}, model }, pipeline::foot_maker(cache)))
   {
     const pipeline::ThreadedExecutor executor(cache);
     const pipeline::BalancedLoad load = pipeline::find_load(study, foot);
-    spin = pipeline::study_spin(study, foot, load, executor);
-    contact = pipeline::describe(study, foot, load, spin.answer().last_spin().value());
-    bands = pipeline::estimate_bands(study, foot, spin.answer(), spin.rows.front().omega_terminal(), executor,
-                                     pipeline::silent_progress(),
-                                     pipeline::reported_quantities(contact.load, spin.budget));
+    spin = pipeline::study_spin({ study, foot, executor }, load);
+    contact = pipeline::describe(foot, load, spin.answer().last_spin().value());
+    bands =
+      pipeline::estimate_bands({ study, foot, executor }, spin.answer(), spin.rows.front().omega_terminal(),
+                               pipeline::reported_quantities(contact.load, spin.budget));
     pipeline::add_bands(pipeline::band_of(bands, "omega_terminal"),
                         pipeline::band_of(bands, "omega_first_harmonic"), spin.budget.rows);
   }

@@ -16,7 +16,7 @@ struct SolvedStudy
 {
   explicit SolvedStudy(const pipeline::Study &given, const pipeline::Model &model = {})
       : study(given)
-      , foot(pipeline::study_foot(study, cache, pipeline::silent_progress(), nullptr, {}, model))
+      , foot(pipeline::study_foot({ study, {}, model }, pipeline::foot_maker(cache)))
       , load(pipeline::find_load(study, foot))
   {
     ring::Question question = pipeline::spin_question(study);
@@ -42,12 +42,12 @@ inline pipeline::Model rigid_foot()
 inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
-  return pipeline::study_spin(study, foot, pipeline::find_load(study, foot), executor).budget;
+  return pipeline::study_spin({ study, foot, executor }, pipeline::find_load(study, foot)).budget;
 }
 
 inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
 {
-  return pipeline::case_result(study, pipeline::study_foot(study, executor.make_foot), executor);
+  return pipeline::case_result({ study, pipeline::study_foot(study, executor.make_foot), executor });
 }
 
 } // namespace stemware::test

@@ -23,7 +23,7 @@ using namespace stemware::test;
 SpinStudy study_spin_of(const ring::RingStack &load, const Study &study = study_of_given_load())
 {
   fem::ComplianceCache cache;
-  return study_spin(study, nullptr, given_load(load), ThreadedExecutor(cache));
+  return study_spin({ study, nullptr, ThreadedExecutor(cache) }, given_load(load));
 }
 
 TEST(SpinStudy, SpinUpCurvesAgreeWithIndependentIntegrations)
@@ -61,8 +61,8 @@ TEST(SpinStudy, SolvesTheMomentBalanceAnewForEachTruncatedLoad)
 {
   const Study study = quick_contact_study();
   fem::ComplianceCache cache;
-  const auto foot = study_foot(study, cache);
-  const SpinStudy two_way = study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache));
+  const auto foot = study_foot(study, foot_maker(cache));
+  const SpinStudy two_way = study_spin({ study, foot, ThreadedExecutor(cache) }, find_load(study, foot));
   ASSERT_GE(two_way.rows.size(), 4u);
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -81,10 +81,12 @@ TEST(SpinStudy, ComparesWithOneRingOnlyIfTheStudyHasSeveralRings)
 {
   Study study = quick_contact_study();
   fem::ComplianceCache cache;
-  const auto foot = study_foot(study, cache);
-  EXPECT_TRUE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
+  const auto foot = study_foot(study, foot_maker(cache));
+  EXPECT_TRUE(study_spin({ study, foot, ThreadedExecutor(cache) }, find_load(study, foot)).one_ring);
   study.contact.rings = 1;
-  EXPECT_FALSE(study_spin(study, foot, find_load(study, foot), ThreadedExecutor(cache)).one_ring);
+  const auto on_one_ring = study_foot(study, foot_maker(cache));
+  EXPECT_FALSE(
+    study_spin({ study, on_one_ring, ThreadedExecutor(cache) }, find_load(study, on_one_ring)).one_ring);
 }
 
 TEST(SpinStudy, ReportsProgressAndCanBeInterruptedDuringTheSpinUp)
@@ -105,8 +107,8 @@ TEST(SpinStudy, ReportsProgressAndCanBeInterruptedDuringTheSpinUp)
   fem::ComplianceCache cache;
   const auto study_the_spin = [&]
   {
-    study_spin(study_of_given_load(), nullptr, given_load(rich_load()), ThreadedExecutor(cache), listener,
-               Depth::answer);
+    study_spin({ study_of_given_load(), nullptr, ThreadedExecutor(cache, 1, listener) },
+               given_load(rich_load()), Depth::answer);
   };
   study_the_spin();
   EXPECT_GE(listener.most, 1u);
@@ -135,10 +137,8 @@ TEST(SpinStudy, ReportsThatRestIsUnstableAndThatASmallOffsetSpinsTheGlassUp)
   study.motion.orbit.orbit_speed = 0.1;
   study.motion.orbit.friction_law = ring::FrictionLawKind::stribeck;
   fem::ComplianceCache cache;
-  const auto solve = [&]
-  {
-    return study_spin(study, nullptr, find_load(study, nullptr), ThreadedExecutor(cache), silent_progress(),
-                      Depth::answer);
+  const auto solve = [&] {
+    return study_spin({ study, nullptr, ThreadedExecutor(cache) }, find_load(study, nullptr), Depth::answer);
   };
   const SpinStudy upright = solve();
   ASSERT_TRUE(upright.answer().terminal);
@@ -156,7 +156,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   const Study study = study_of_given_load();
   const ring::Motion &motion = study.motion.orbit;
   fem::ComplianceCache cache;
-  const SpinStudy fallen = study_spin(study, nullptr, tipping_beyond(2.5), ThreadedExecutor(cache));
+  const SpinStudy fallen = study_spin({ study, nullptr, ThreadedExecutor(cache) }, tipping_beyond(2.5));
   const ring::Answer &row = fallen.answer();
   EXPECT_EQ(row.status, ring::Status::tips);
   EXPECT_FALSE(row.terminal);

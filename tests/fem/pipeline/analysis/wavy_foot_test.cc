@@ -122,8 +122,8 @@ TEST(RigidFoot, LeastLoadOfAWavyFootAgreesWithSumsOverPointsAtRestAndAtTheTermin
   WavyFoot foot;
   const SolvedStudy solved(foot.study, test::rigid_foot());
   fem::ComplianceCache cache;
-  const SpinStudy spin = study_spin(solved.study, solved.foot, solved.load, ThreadedExecutor(cache),
-                                    silent_progress(), Depth::answer);
+  const SpinStudy spin =
+    study_spin({ solved.study, solved.foot, ThreadedExecutor(cache) }, solved.load, Depth::answer);
   const double at_rest = least_load_of(foot, 0);
   const double at_terminal = least_load_of(foot, *spin.answer().omega_terminal());
   const double mean = foot.study.motion.orbit.normal_force() / (2 * ring::pi);
@@ -227,7 +227,7 @@ void expect_bands_of_wavy_feet(unsigned int n_feet)
     with_slope.with_slope = true;
     const ring::Answer row = ring::answer(solved.load, spin_question(foot.study, with_slope)).value();
     const ErrorBands bands =
-      estimate_bands(foot.study, solved.foot, row, std::nullopt, ThreadedExecutor(solved.cache));
+      estimate_bands({ foot.study, solved.foot, ThreadedExecutor(solved.cache) }, row, std::nullopt);
     const auto found = find_quantity(bands, "omega_terminal");
     ASSERT_NE(found, bands.end());
     const double error = std::abs(found->quantity.value - long_time_spin_of(foot, row.terminal->omega));

@@ -75,7 +75,7 @@ TEST(ExplorePage, SlidersGiveTheSpinsOfTheProgramAndAWaitingPageStatesTheTipping
   for (std::size_t i = 0; i < moves.size(); ++i)
   {
     pipeline::assign(pipeline::study_entries(study), "", moves[i].first, moves[i].second);
-    const auto foot = pipeline::study_foot(study, cache);
+    const auto foot = pipeline::study_foot(study, pipeline::foot_maker(cache));
     const double omega =
       ring::answer(pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     for (const char *const width : { "1100", "400" })

@@ -31,7 +31,7 @@ TEST(ExplorePage, CommittedAnswersAgreeWithTheProgram)
     for (const auto &value : pair["values"])
       pipeline::assign(pipeline::study_entries(study), "", value[0], value[1]);
     fem::ComplianceCache cache;
-    const auto foot = pipeline::study_foot(study, cache);
+    const auto foot = pipeline::study_foot(study, pipeline::foot_maker(cache));
     const double omega =
       ring::answer(pipeline::find_load(study, foot), pipeline::spin_question(study)).terminal->omega;
     EXPECT_NEAR(pair["omega"].get<double>(), omega, 1e-9) << name;

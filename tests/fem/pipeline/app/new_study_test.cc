@@ -54,8 +54,8 @@ TEST(NewStudy, EveryPairOfPresetsIsAPlausibleStudy)
       EXPECT_EQ(count_entries(text).first, 12u) << text;
       scratch.write("a.prm", text);
       const pipeline::Study study = pipeline::read_study(scratch / "a.prm");
-      EXPECT_EQ(pipeline::unused_entries(study), std::vector<std::string>()) << text;
-      EXPECT_EQ(pipeline::implausible_notes(study), std::vector<std::string>()) << text;
+      EXPECT_EQ(pipeline::unused_entries(pipeline::entries_of(study)), std::vector<std::string>()) << text;
+      EXPECT_EQ(pipeline::implausible_notes(pipeline::entries_of(study)), std::vector<std::string>()) << text;
       EXPECT_NO_THROW(study.required_resultants());
     }
 }
@@ -86,7 +86,8 @@ TEST(NewCookbook, CopiesTheStudyWithItsFiles)
     for (const pipeline::StudyPart &part : pipeline::cookbook_parts(name, scratch / (name + ".prm")))
       scratch.write(part.file.filename(), part.text);
     EXPECT_EQ(as_text(scratch.path(), name), as_text(source, name)) << name;
-    for (const std::string &file : pipeline::files_of(pipeline::read_study(scratch / (name + ".prm"))))
+    for (const std::string &file :
+         pipeline::files_of(pipeline::entries_of(pipeline::read_study(scratch / (name + ".prm")))))
     {
       const std::filesystem::path written = file;
       EXPECT_EQ(written.parent_path(), scratch.path()) << file;

@@ -31,10 +31,10 @@ Study coarse_study_in_balance()
 struct Described
 {
   explicit Described(const Study &study)
-      : foot(study_foot(study, cache))
+      : foot(study_foot(study, foot_maker(cache)))
       , load(find_load(study, foot))
       , omega(ring::answer(load, { study.motion.orbit }).omega_terminal().value())
-      , report(describe(study, foot, load, omega))
+      , report(describe(foot, load, omega))
   {
   }
 
@@ -153,7 +153,7 @@ TEST(ContactReport, DeformationByFrictionDependsOnOmegaOverV)
   const auto difference_to = [&](double spin_per_speed)
   {
     fem::ComplianceCache cache;
-    const auto foot = study_foot(study, cache);
+    const auto foot = study_foot(study, foot_maker(cache));
     const fem::ContactState pressed = foot->solve(
       { balanced.normal_force(), balanced.moment().x(), balanced.moment().y() }, { spin_per_speed, {} });
     const fem::ContactLoad load = foot->body().project_onto_rings(pressed, balanced.radii(), 4);

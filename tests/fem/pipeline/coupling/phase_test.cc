@@ -1,3 +1,4 @@
+#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"

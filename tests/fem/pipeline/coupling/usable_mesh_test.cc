@@ -43,7 +43,8 @@ protected:
     Study study = test::mat_study();
     study.contact.mesh_file = file.name;
     study.contact.mesh_file_options = marks;
-    const std::string message = test::sentence_of([&] { require_usable_mesh(study); });
+    const std::string message =
+      test::sentence_of([&] { require_usable_mesh(study.contact, study.glass.profile.contact_radius); });
     EXPECT_THAT(message, testing::Not(testing::HasSubstr("\n")));
     EXPECT_LT(message.size(), 330u) << message;
     EXPECT_TRUE(message.empty() || message.back() == '.') << message;

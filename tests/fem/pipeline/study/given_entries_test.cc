@@ -72,7 +72,7 @@ TEST(UnusedEntries, AreListedForEachChoiceOfTheModel)
   {
     Settings settings = all;
     settings.insert(settings.end(), choices.begin(), choices.end());
-    Names found = unused_entries(test::mat_study_with(settings)), expected = idle;
+    Names found = unused_entries(entries_of(test::mat_study_with(settings))), expected = idle;
     std::sort(found.begin(), found.end());
     std::sort(expected.begin(), expected.end());
     EXPECT_EQ(found, expected) << testing::PrintToString(settings);
@@ -83,16 +83,16 @@ TEST(UnusedEntries, AreReportedUnlessACompleteFileGivesTheirDefault)
 {
   const test::ScratchFolder scratch;
   const std::string all = scratch.write("all.prm", commented_defaults());
-  EXPECT_EQ(unused_entries(read_study(all)), Names());
-  EXPECT_EQ(unused_entries(read_study(all, { "Table/Foundation modulus=1e10" })),
+  EXPECT_EQ(unused_entries(entries_of(read_study(all))), Names());
+  EXPECT_EQ(unused_entries(entries_of(read_study(all, { "Table/Foundation modulus=1e10" }))),
             Names({ "Table/Foundation modulus" }));
   Study study;
   study.table.foundation_modulus = 2e10;
-  EXPECT_EQ(unused_entries(read_study(scratch.write("changed.prm", study_as_prm(study)))),
+  EXPECT_EQ(unused_entries(entries_of(read_study(scratch.write("changed.prm", study_as_prm(study))))),
             Names({ "Table/Foundation modulus" }));
-  EXPECT_EQ(
-    unused_entries(read_study(scratch.write("one.json", R"({"Table": {"Foundation modulus": 1e10}})"))),
-    Names({ "Table/Foundation modulus" }));
+  EXPECT_EQ(unused_entries(entries_of(
+              read_study(scratch.write("one.json", R"({"Table": {"Foundation modulus": 1e10}})")))),
+            Names({ "Table/Foundation modulus" }));
 }
 
 TEST(UnusedEntries, AreNotGivenInAnyCookbook)
@@ -101,7 +101,7 @@ TEST(UnusedEntries, AreNotGivenInAnyCookbook)
   for (const auto &item : std::filesystem::directory_iterator(STEMWARE_COOKBOOKS))
     if (item.path().extension() == ".prm")
     {
-      EXPECT_EQ(unused_entries(read_study(item.path())), Names()) << item.path();
+      EXPECT_EQ(unused_entries(entries_of(read_study(item.path()))), Names()) << item.path();
       ++n_studies;
     }
   EXPECT_GE(n_studies, 9u);

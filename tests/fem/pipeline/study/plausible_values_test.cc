@@ -20,7 +20,7 @@ using Texts = std::vector<std::string>;
 
 Texts notes_with(const Settings &settings)
 {
-  return implausible_notes(test::mat_study_with(settings));
+  return implausible_notes(entries_of(test::mat_study_with(settings)));
 }
 
 TEST(PlausibleValues, WarnOfProbableUnitErrors)
