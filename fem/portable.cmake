@@ -67,6 +67,7 @@ set(STEMWARE_PORTABLE
     fem/pipeline/analysis/spin_study.
     fem/pipeline/analysis/study_rows.
     fem/pipeline/analysis/variant.
+    fem/pipeline/result/curves.
     fem/pipeline/result/pictures.
     fem/pipeline/result/results.
     fem/pipeline/page/explore_api.

@@ -1,5 +1,7 @@
 #include "fem/pipeline/analysis/quantity.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 namespace stemware::pipeline
 {
 
@@ -8,12 +10,14 @@ std::string with_unit(const std::string &name, const std::string &unit, bool sho
   return unit.empty() || (unit == "1" && !shows_one) ? name : name + " (" + unit + ")";
 }
 
-Column column_of(const std::string &key, const std::string &name, const std::string &unit,
-                 const std::string &column, const std::vector<double> &values, const std::string &number)
+std::string Quantity::word(Face face) const
 {
-  Column made = { { key, unit, "", name, column }, { values.begin(), values.end() } };
-  made.quantity.number = number;
-  return made;
+  const std::string &pattern = face == Face::file      ? name
+                               : face == Face::page    ? heading
+                               : face == Face::console ? label
+                               : face == Face::picture ? drawn
+                                                       : array;
+  return boost::replace_all_copy(pattern, "*", number);
 }
 
 Word in_file(const std::string &name, const std::string &column)
@@ -44,6 +48,16 @@ Word shown_as(const std::string &word)
 Word with_digits(const std::string &digits)
 {
   return [=](Quantity &quantity) { quantity.digits = digits; };
+}
+
+Word in_picture(const std::string &key)
+{
+  return [=](Quantity &quantity) { quantity.drawn = key; };
+}
+
+Word in_python(const std::string &key)
+{
+  return [=](Quantity &quantity) { quantity.array = key; };
 }
 
 Word with_places(const std::vector<Quantity> &places)

@@ -20,9 +20,11 @@ namespace stemware::pipeline
 /// Faces of a table.
 enum class Face
 {
-  file,   ///< CSV and data files
-  page,   ///< tables of the page
-  console ///< tables of the console
+  file,    ///< CSV and data files
+  page,    ///< tables of the page
+  console, ///< tables of the console
+  picture, ///< numbers of the page's pictures
+  python   ///< arrays of the Python package
 };
 
 /// Key, unit and words of a quantity. A face for which the word is empty does not show the quantity.
@@ -40,13 +42,12 @@ struct Quantity
   Json type = {};                    ///< JSON Schema of the values
   bool may_be_absent = false;        ///< no key in summary.json instead of null
   std::vector<Quantity> places = {}; ///< columns of a list of fixed length
-  std::string number = "";           ///< replaces a * in key and name, which stands for any number
+  std::string number = "";           ///< replaces a * in the words, which stands for any number
+  std::string drawn = "";            ///< key in pictures
+  std::string array = "";            ///< key in Python
 
   /// Returns the word of a face; empty if the quantity is not shown.
-  const std::string &word(Face face) const
-  {
-    return face == Face::file ? name : face == Face::page ? heading : label;
-  }
+  std::string word(Face face) const;
 };
 
 /// Returns "name (unit)", or the name only if the unit is empty, or 1 and @p shows_one is false.
@@ -68,21 +69,6 @@ struct Table
   std::size_t n_rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
 };
 
-/// Returns a column of a data file with one cell from each of @p rows: @p value is a member of the row or a
-/// function of it. @p name: heading; @p column: description; @p number: Quantity::number.
-template <typename Rows, typename Value>
-Column column_of(const std::string &key, const std::string &name, const std::string &unit,
-                 const std::string &column, const Rows &rows, Value value)
-{
-  Column made = { { key, unit, "", name, column } };
-  for (const auto &row : rows)
-    made.cells.emplace_back(std::invoke(value, row));
-  return made;
-}
-Column column_of(const std::string &key, const std::string &name, const std::string &unit,
-                 const std::string &column, const std::vector<double> &values,
-                 const std::string &number = "");
-
 // ---- words of a quantity, arguments of Field
 
 using Word = std::function<void(Quantity &)>;
@@ -99,74 +85,56 @@ Word on_console(const std::string &label);
 Word shown_as(const std::string &word);
 /// Declares the format of digits on page and console.
 Word with_digits(const std::string &digits);
+/// Declares the key in pictures.
+Word in_picture(const std::string &key);
+/// Declares the key in Python.
+Word in_python(const std::string &key);
 /// Declares the columns of a list of fixed length.
 Word with_places(const std::vector<Quantity> &places);
 /// Declares the JSON Schema of the values, in addition to the schema of their type.
 Word of_type(const Json &type);
-/// Declares the number in place of a * in key and name.
+/// Declares the number in place of a * in the words.
 Word with_number(const std::string &number);
 /// Declares that a missing value has no key in summary.json, instead of null.
 Word or_absent();
 
-/// Function that returns the key of a row, for lists that become objects.
-template <typename Key>
-struct ByKey
-{
-  Key key;
-};
-template <typename Key>
-ByKey(Key) -> ByKey<Key>;
-
 // ---- C++ types
-
-/// Tag of a type, to select an overload.
-template <typename Value>
-struct Type
-{
-};
 
 /// Returns the JSON Schema @p type with null as a further value.
 Json or_null(Json type);
 
+/// Length of a list type; 0: any length, -1: no list.
+template <typename Value>
+inline constexpr int length_of = -1;
+template <typename Value>
+inline constexpr int length_of<std::vector<Value>> = 0;
+template <typename Value, std::size_t n>
+inline constexpr int length_of<std::array<Value, n>> = n;
+
 /// Returns the JSON Schema of a C++ type: number, text or list; for an optional or a pointer, also null;
 /// @p part for other types.
-inline Json schema_of(Type<const char *>, const Json & /*part*/ = {})
-{
-  return { { "type", "string" } };
-}
 template <typename Value>
-Json schema_of(Type<Value>, const Json &part = Json::object())
+Json schema_of(const Json &part = Json::object())
 {
-  if constexpr (std::is_convertible_v<Value, std::string> && !std::is_same_v<Value, Json>)
+  if constexpr (std::is_same_v<Value, Json>)
+    return part;
+  else if constexpr (std::is_convertible_v<Value, std::string>)
     return { { "type", "string" } };
   else if constexpr (std::is_arithmetic_v<Value>)
     return { { "type", std::is_same_v<Value, bool>       ? "boolean"
                        : std::is_floating_point_v<Value> ? "number"
                                                          : "integer" } };
+  else if constexpr (std::is_constructible_v<bool, Value>) // an optional or a pointer
+    return or_null(schema_of<std::decay_t<decltype(*std::declval<Value>())>>(part));
+  else if constexpr (length_of<Value> >= 0)
+  {
+    Json type = { { "type", "array" }, { "items", schema_of<typename Value::value_type>(part) } };
+    if (length_of < Value >> 0)
+      type.update({ { "minItems", length_of<Value> }, { "maxItems", length_of<Value> } });
+    return type;
+  }
   else
     return part;
-}
-template <typename Value>
-Json schema_of(Type<std::optional<Value>>, const Json &part = {})
-{
-  return or_null(schema_of(Type<Value>(), part));
-}
-template <typename Value>
-Json schema_of(Type<const Value *>, const Json &part = {})
-{
-  return or_null(schema_of(Type<Value>(), part));
-}
-template <typename Value>
-Json schema_of(Type<std::vector<Value>>, const Json &part = {})
-{
-  return { { "type", "array" }, { "items", schema_of(Type<Value>(), part) } };
-}
-template <typename Value, std::size_t n>
-Json schema_of(Type<std::array<Value, n>>, const Json &part = {})
-{
-  return {
-    { "type", "array" }, { "items", schema_of(Type<Value>(), part) }, { "minItems", n }, { "maxItems", n }
-  };
 }
 
 /// Returns the JSON Schema of an object with the members @p quantities.
@@ -194,24 +162,18 @@ struct Field
       : value([read](const Row &row) { return Json(std::invoke(read, row)); })
   {
     using Value = std::decay_t<std::invoke_result_t<Read, const Row &>>;
-    const bool is_text = std::is_convertible_v<Value, std::string> && !std::is_same_v<Value, Json>;
-    quantity = { key, is_text ? "" : unit, description };
-    quantity.type = schema_of(Type<Value>());
+    const Json type = schema_of<Value>();
+    quantity = { key, type.value("type", Json()) == "string" ? "" : unit, description };
+    quantity.type = type;
     (words(quantity), ...);
   }
 
-  /// Creates a field whose value is a JSON object: @p fields of the result of @p read. The value is a list of
-  /// objects if this result is a vector, and null if it is an optional or a pointer without value.
+  /// Creates a field whose value is a JSON object: @p fields of the result of @p read. If this result is a
+  /// vector, the value is a list of objects, or an object with Fields::key_of() as keys; if it is an optional
+  /// or a pointer without value, null.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
-        Words... words)
-      : Field(key, description, fields, read, ByKey{ nullptr }, words...)
-  {
-  }
-  /// Creates a field whose value is a JSON object; its members are the rows of a vector under their keys.
-  template <typename Part, typename Read, typename Key, typename... Words>
-  Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
-        ByKey<Key> by_key, Words... words);
+        Words... words);
 };
 
 /// List of quantities that are read from a Row.
@@ -240,10 +202,18 @@ public:
     return all;
   }
 
+  /// Returns this list for rows that become members of an object under the key that @p key returns.
+  Fields by(std::function<std::string(const Row &)> key) const
+  {
+    Fields keyed = *this;
+    keyed.key_of = std::move(key);
+    return keyed;
+  }
+
   void add(const Field<Row> &field) { members.push_back(field); }
   const std::vector<Field<Row>> &all() const { return members; }
 
-  /// Returns the JSON Schema of the object json().
+  /// Returns the JSON Schema of json() of a row.
   Json schema() const
   {
     std::vector<Quantity> quantities;
@@ -262,12 +232,13 @@ public:
           object[quantity.key] = std::move(found);
     return object;
   }
+  /// Returns the list of the rows, or the object by key.
   Json json(const std::vector<Row> &rows) const
   {
-    Json list = Json::array();
+    Json all = key_of ? Json::object() : Json::array();
     for (const Row &row : rows)
-      list.push_back(json(row));
-    return list;
+      (key_of ? all[key_of(row)] : all.emplace_back()) = json(row);
+    return all;
   }
 
   /// Returns the table of @p rows for a face.
@@ -285,46 +256,36 @@ public:
     return table;
   }
 
+  /// Returns true if rows become members of an object, by().
+  bool is_keyed() const { return static_cast<bool>(key_of); }
+
 private:
   std::vector<Field<Row>> members;
+  std::function<std::string(const Row &)> key_of = {};
 };
 
 template <typename Row>
-template <typename Part, typename Read, typename Key, typename... Words>
+template <typename Part, typename Read, typename... Words>
 Field<Row>::Field(const std::string &key, const std::string &description, const Fields<Part> &fields,
-                  Read read, ByKey<Key> by_key, Words... words)
+                  Read read, Words... words)
 {
   using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
-  constexpr bool has_key = !std::is_same_v<Key, std::nullptr_t>;
-  const auto json_of = [=](const auto &found) -> Json
-  {
-    if constexpr (!has_key)
-      return fields.json(found);
-    else
-    {
-      Json members = Json::object();
-      for (const auto &row : found)
-        members[std::invoke(by_key.key, row)] = fields.json(row);
-      return members;
-    }
-  };
-  value = [read, json_of](const Row &row) -> Json
+  value = [read, fields](const Row &row) -> Json
   {
     const auto &found = std::invoke(read, row);
     if constexpr (std::is_constructible_v<bool, Found>) // an optional or a pointer
-      return found ? json_of(*found) : Json(nullptr);
+      return found ? fields.json(*found) : Json(nullptr);
     else
-      return json_of(found);
+      return fields.json(found);
   };
   quantity = { key, "", description };
-  quantity.type = schema_of(Type<Found>(), fields.schema());
-  if (has_key)
+  quantity.type = schema_of<Found>(fields.schema());
+  if (fields.is_keyed())
   {
-    Json &type = quantity.type;
-    const bool is_optional = type["type"].is_array();
-    type = { { "type", "object" }, { "additionalProperties", fields.schema() } };
+    const bool is_optional = quantity.type["type"].is_array();
+    quantity.type = { { "type", "object" }, { "additionalProperties", fields.schema() } };
     if (is_optional)
-      type = or_null(type);
+      quantity.type = or_null(quantity.type);
   }
   (words(quantity), ...);
 }

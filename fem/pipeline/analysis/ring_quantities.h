@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/quantity.h"
+#include "fem/pipeline/coupling/load_report.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 #include "ring_model/spin/torque_effect.h"
@@ -24,6 +25,9 @@ const Fields<ring::Fall> &fall_fields();
 
 /// Returns the quantities of ring::Answer that are in "ring" of summary.json.
 const Fields<ring::Answer> &answer_fields();
+
+/// Returns "load" and "load_at_terminal" of summary.json.
+const Fields<LoadReport> &load_fields();
 
 /// Returns a_n and b_n [N/rad] of a load as two lists.
 std::array<std::vector<double>, 2> series_of(const ring::RingStack &load);

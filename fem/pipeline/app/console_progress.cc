@@ -1,9 +1,9 @@
 #include "fem/pipeline/app/console_progress.h"
 
 #include "fem/contact/contact_newton.h"
-#include "ring_model/load/constants.h"
+#include "fem/pipeline/base/console.h"
 
-#include <cmath>
+#include <algorithm>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -24,18 +24,54 @@ void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, s
 {
   if (n_all > 0)
   {
-    if (!bar)
-      bar.emplace(n_all, what);
-    bar->show(n_done);
+    show(what, n_done, n_all);
     if (n_done == n_all)
-      bar.reset();
+      end_bar();
     return;
   }
   const auto now = std::chrono::steady_clock::now();
-  if (bar || now - last_line < std::chrono::seconds(3))
+  if (is_counting || now - last_line < std::chrono::seconds(3))
     return; // at most one line every 3 s, and none if a bar shows the progress
   last_line = now;
   console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
+}
+
+void ConsoleProgress::show(const std::string &what, std::size_t n_done, std::size_t n_all)
+{
+  const auto now = std::chrono::steady_clock::now();
+  if (!is_counting)
+  {
+    last_line = now;
+    tenths_shown = 0;
+  }
+  is_counting = true;
+  const std::size_t tenths = 10 * n_done / n_all;
+  const bool is_watched = console_is_terminal();
+  if (!is_watched && (tenths == tenths_shown || now - last_line < std::chrono::seconds(3)))
+    return;
+  tenths_shown = tenths;
+  last_line = now;
+  const std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_done, n_all, what);
+  if (!is_watched)
+  {
+    console() << "          " << text << std::endl;
+    return;
+  }
+  constexpr std::size_t n_marks = 40;
+  const std::size_t n_filled = n_marks * n_done / n_all;
+  std::string line = "[" + std::string(n_filled, '#') + std::string(n_marks - n_filled, '.') + "] " + text;
+  const std::size_t width = line.size();
+  line.resize(std::max(width, bar_width), ' ');
+  bar_width = width;
+  console() << '\r' << line << std::flush;
+}
+
+void ConsoleProgress::end_bar()
+{
+  if (bar_width > 0)
+    console() << std::endl;
+  is_counting = false;
+  bar_width = 0;
 }
 
 void ConsoleProgress::iteration(const fem::ContactIteration &step)
@@ -52,26 +88,6 @@ void ConsoleProgress::iteration(const fem::ContactIteration &step)
 void ConsoleProgress::note(const std::string &subject, const std::string &text)
 {
   console() << fmt::format(FMT_STRING("{:<9} {}"), subject, text) << std::endl;
-}
-
-void note_load_source(const Study &study, Progress &progress)
-{
-  if (study.load.source == LoadSource::file)
-  {
-    progress.note("Load", study.load.file);
-    return;
-  }
-  const fem::Resultants demand = study.required_resultants();
-  const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
-  const double crest = std::atan2(demand.moment_x, -demand.moment_y) / (ring::pi / 180);
-  const std::string origin =
-    study.load.is_static() ? "given"
-                           : "moment balance " + ring::to_string(study.motion.closure) + ", upright at rest";
-  std::string text =
-    fmt::format(FMT_STRING("{:.6g} N, moment ratio {:.4g} ({})"), demand.normal_force, ratio, origin);
-  if (ratio > 0)
-    text += fmt::format(FMT_STRING(", largest at {:.3g} deg"), crest);
-  progress.note("Load", text);
 }
 
 } // namespace stemware::pipeline

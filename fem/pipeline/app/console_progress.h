@@ -1,12 +1,12 @@
 #pragma once
 
 #include "fem/pipeline/analysis/solve.h"
-#include "fem/pipeline/base/console.h"
 #include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/base/stopwatch.h"
 
 #include <chrono>
-#include <optional>
+#include <cstddef>
+#include <string>
 
 namespace stemware::pipeline
 {
@@ -17,6 +17,9 @@ class ConsoleProgress : public Progress
 public:
   /// Keeps a reference to @p stopwatch, which receives the stages.
   explicit ConsoleProgress(Stopwatch &stopwatch);
+  ~ConsoleProgress() override { end_bar(); }
+  ConsoleProgress(const ConsoleProgress &) = delete;
+  ConsoleProgress &operator=(const ConsoleProgress &) = delete;
 
   void stage_done(const std::string &stage) override;
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
@@ -24,13 +27,16 @@ public:
   void note(const std::string &subject, const std::string &text) override;
 
 private:
+  /// Shows @p n_done of @p n_all pieces: a bar on a terminal, else a line per tenth, at most every 3 s.
+  void show(const std::string &what, std::size_t n_done, std::size_t n_all);
+  void end_bar();
+
+  bool is_counting = false; ///< pieces of a known number are in work
+  std::size_t tenths_shown = 0;
+  std::size_t bar_width = 0; ///< columns of the present bar, to be overwritten
+  bool has_header = false;   ///< table of Newton steps has its header
   Stopwatch &stopwatch;
-  std::optional<WorkProgress> bar;
-  bool has_header = false; ///< table of Newton steps has its header
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
-
-/// Reports the required resultants at rest and their source to @p progress.
-void note_load_source(const Study &study, Progress &progress);
 
 } // namespace stemware::pipeline

@@ -161,14 +161,9 @@ struct MeshOptions
   std::vector<std::string> writes; ///< files to write, .msh or .vtu
 };
 
-/// Returns true if a study defines the mesh, or defines the options and reference lengths for a mesh file.
-bool has_study(const MeshOptions &options)
+void mesh(const MeshOptions &options)
 {
-  return !options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty();
-}
-
-void check_options(const MeshOptions &options)
-{
+  direct_console(options.study.quiet, options.study.json);
   for (const std::string &file : options.writes)
   {
     const std::string extension = fs::path(file).extension();
@@ -177,55 +172,24 @@ void check_options(const MeshOptions &options)
                      " ends in neither .msh nor .vtu; write a name with one of these endings.");
     on_first_rank([&] { require_writable(file); });
   }
-}
-
-MeshFindings read_mesh(const std::string &file, const ContactSection &contact, Mesh &mesh)
-{
-  const fem::MeshReport report = read_mesh_file(file, contact.mesh_file_options, mesh, contact.memory_limit);
-  return { file, fem::check_mesh(mesh), report };
-}
-
-/// Generates and checks the mesh of the foot, including the crown of the land.
-MeshFindings generate_mesh(const Study &study, Mesh &mesh)
-{
-  fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
-  fem::move_to_crown(study.glass.profile, mesh);
-  return { "generated", fem::check_mesh(mesh), std::nullopt };
-}
-
-std::string as_text(const Mesh &mesh, const std::string &format)
-{
-  std::ostringstream text;
-  format == ".msh" ? fem::write_msh(mesh, text) : fem::write_mesh_vtu(mesh, text);
-  return text.str();
-}
-
-void write_mesh(const Mesh &mesh, const std::string &file)
-{
-  on_first_rank([&] { write_output_file(file, as_text(mesh, fs::path(file).extension())); });
-  console() << "Written   " << file << std::endl;
-}
-
-void print_json(const MeshFindings &findings, const MeshOptions &options)
-{
-  Json line = { { "verb", "mesh" }, { "written", options.writes } };
-  line.update(mesh_summary(findings));
-  std::cout << line.dump() << std::endl;
-}
-
-void mesh(const MeshOptions &options)
-{
-  direct_console(options.study.quiet, options.study.json);
-  check_options(options);
-  std::optional<Study> study;
-  if (has_study(options))
+  std::optional<Study> study; // of the mesh, or of the options and reference lengths for a mesh file
+  if (!options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty())
     study = read_study(options.study.study_file, options.study.overrides);
   print_note("Profile   ", study ? profile_note(study->glass) : "");
   const std::string file = options.check.empty() ? study->contact.mesh_file : options.check;
 
   Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
-  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);
+  MeshFindings findings = { file, {}, std::nullopt };
+  if (file.empty())
+  {
+    findings.origin = "generated";
+    fem::make_foot_mesh(study->glass.profile, study->contact.resolution, mesh);
+    fem::move_to_crown(study->glass.profile, mesh);
+  }
+  else
+    findings.report = read_mesh_file(file, contact.mesh_file_options, mesh, contact.memory_limit);
+  findings.check = fem::check_mesh(mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check,
                  file.empty() ? fem::MeshFileOptions() : contact.mesh_file_options);
@@ -236,9 +200,22 @@ void mesh(const MeshOptions &options)
                        study->glass.profile.contact_radius);
 
   for (const std::string &name : options.writes)
-    write_mesh(mesh, name);
+  {
+    on_first_rank(
+      [&]
+      {
+        std::ostringstream text;
+        fs::path(name).extension() == ".msh" ? fem::write_msh(mesh, text) : fem::write_mesh_vtu(mesh, text);
+        write_output_file(name, text.str());
+      });
+    console() << "Written   " << name << std::endl;
+  }
   if (options.study.json && is_first_rank())
-    print_json(findings, options);
+  {
+    Json line = { { "verb", "mesh" }, { "written", options.writes } };
+    line.update(mesh_summary(findings));
+    std::cout << line.dump() << std::endl;
+  }
 }
 
 } // namespace

@@ -55,33 +55,12 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
   console() << "\nNext      stemware run " << file << std::endl;
 }
 
-void write_new_study(const NewOptions &options)
-{
-  const Preset &glass = preset_of(glass_presets(), "--glass", options.glass);
-  const Preset &table = preset_of(table_presets(), "--table", options.table);
-  write_study(options.file, { { options.file, new_study_text(glass, table, options.file) } },
-              ": " + glass.name + " on " + table.name);
-}
-
-void write_cookbook(const NewOptions &options)
-{
-  const std::string file = options.file.empty() ? options.cookbook + ".prm" : options.file;
-  write_study(file, cookbook_parts(options.cookbook, file),
-              ", the study of the cookbook " + options.cookbook);
-}
-
 std::string list_of(const std::vector<Preset> &presets)
 {
   std::string lines;
   for (const Preset &preset : presets)
     lines += fmt::format(FMT_STRING("  {:<14} {}\n"), preset.name, preset.words);
   return lines;
-}
-
-std::string list_of_cookbooks()
-{
-  const std::vector<std::string> names = cookbook_names();
-  return names.empty() ? "" : "\n\nCookbooks:\n" + wrapped(boost::algorithm::join(names, ", "), "  ");
 }
 
 } // namespace
@@ -109,8 +88,10 @@ void add_new_verb(CLI::App &program, Verb &chosen)
   verb->footer(
     []
     {
-      return filled(help_of("new"),
-                    { list_of(glass_presets()), list_of(table_presets()), list_of_cookbooks() });
+      const std::vector<std::string> names = cookbook_names();
+      const std::string cookbooks =
+        names.empty() ? "" : "\n\nCookbooks:\n" + wrapped(boost::algorithm::join(names, ", "), "  ");
+      return filled(help_of("new"), { list_of(glass_presets()), list_of(table_presets()), cookbooks });
     });
   verb->callback(
     [&chosen, options, file, cookbook]
@@ -118,7 +99,16 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       if (file->count() + cookbook->count() == 0)
         throw CLI::RequiredError("FILE");
       chosen = [options, is_cookbook = cookbook->count() > 0]
-      { is_cookbook ? write_cookbook(*options) : write_new_study(*options); };
+      {
+        const auto &[name, glass, table, recipe] = *options;
+        const std::string file = name.empty() && is_cookbook ? recipe + ".prm" : name;
+        if (is_cookbook)
+          return write_study(file, cookbook_parts(recipe, file), ", the study of the cookbook " + recipe);
+        const Preset &of_glass = preset_of(glass_presets(), "--glass", glass);
+        const Preset &of_table = preset_of(table_presets(), "--table", table);
+        write_study(file, { { file, new_study_text(of_glass, of_table, file) } },
+                    ": " + of_glass.name + " on " + of_table.name);
+      };
     });
 }
 

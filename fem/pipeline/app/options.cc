@@ -14,14 +14,15 @@
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
 #include "fem/pipeline/study/study_size.h"
+#include "ring_model/load/constants.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fmt/format.h>
 #include <iostream>
-#include <stdexcept>
 #include <thread>
 
 namespace stemware::pipeline
@@ -30,37 +31,44 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns an error message for an empty name (usually an unset shell variable), otherwise an empty text.
-std::string why_no_study(const std::string &text)
+/// Returns a check for names that consist of the characters @p blanks only (usually an unset shell variable),
+/// with the error message @p message.
+auto not_blank(const char *blanks, const char *message)
 {
-  return text.empty()
-           ? "the name of the study is empty; give the path of a .prm file, or omit it for the default study"
-           : "";
-}
-
-/// Returns an error message for a blank name (invisible in a directory listing), otherwise an empty text.
-std::string why_no_folder(const std::string &text)
-{
-  return text.find_first_not_of(" \t\r\n") == std::string::npos
-           ? "the name of the folder is empty; give a path, or omit --output for the default"
-           : "";
+  return [=](const std::string &text)
+  { return text.find_first_not_of(blanks) == std::string::npos ? std::string(message) : ""; };
 }
 
 /// Throws if the limits of the process leave less memory than a study needs. Libraries would otherwise wait
 /// for memory indefinitely or end the program.
-void require_memory_left(const Study &study, unsigned int n_threads)
+void require_memory_for(const Study &study, unsigned int n_threads)
 {
   constexpr double buffers = 2e8, // for BLAS and written fields [bytes]
     stack_and_heap_of_thread = 8e7;
-  const MemoryLeft left = memory_left();
-  double needed = size_of(study).memory - memory_of_the_program;
-  if (left.is_address_space)
-    needed = needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread;
-  if (study.load.is_from_contact() && left.bytes < needed)
-    throw std::runtime_error(fmt::format(
-      FMT_STRING("The study needs about {:.2g} GB more memory, but {} leaves {:.2g} GB; raise the "
-                 "limit, or use fewer cells or threads (--threads 1)."),
-      needed / 1e9, left.limit, std::max(left.bytes, 0.) / 1e9));
+  const double needed = size_of(study).memory - memory_of_the_program;
+  if (study.load.is_from_contact())
+    require_memory_left(needed, needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread);
+}
+
+/// Reports the required resultants at rest and their source to @p progress.
+void note_load_source(const Study &study, Progress &progress)
+{
+  if (study.load.source == LoadSource::file)
+  {
+    progress.note("Load", study.load.file);
+    return;
+  }
+  const fem::Resultants demand = study.required_resultants();
+  const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
+  const double crest = std::atan2(demand.moment_x, -demand.moment_y) / (ring::pi / 180);
+  const std::string origin =
+    study.load.is_static() ? "given"
+                           : "moment balance " + ring::to_string(study.motion.closure) + ", upright at rest";
+  std::string text =
+    fmt::format(FMT_STRING("{:.6g} N, moment ratio {:.4g} ({})"), demand.normal_force, ratio, origin);
+  if (ratio > 0)
+    text += fmt::format(FMT_STRING(", largest at {:.3g} deg"), crest);
+  progress.note("Load", text);
 }
 
 } // namespace
@@ -85,7 +93,8 @@ void add_study_option(CLI::App &verb, StudyOptions &options, const std::string &
     .add_option("STUDY", options.study_file,
                 "Study file, .prm or .json, - for standard input" + (role.empty() ? "" : ", " + role) +
                   ";\ndefault: the default study")
-    ->check(why_no_study);
+    ->check(not_blank("", "the name of the study is empty; give the path of a .prm file, or omit it for the "
+                          "default study"));
 }
 
 void add_study_options(CLI::App &verb, StudyOptions &options)
@@ -97,7 +106,8 @@ void add_study_options(CLI::App &verb, StudyOptions &options)
                 "Folder of the results; default: results/<name of the study>" +
                   std::string(options.verb == "run" ? "" : "-" + options.verb))
     ->type_name("DIR")
-    ->check(why_no_folder);
+    ->check(not_blank(" \t\r\n", "the name of the folder is empty; give a path, or omit --output for the "
+                                 "default"));
   add_override_option(verb, options);
   add_threads_option(verb, options);
   add_console_options(verb, options);
@@ -159,11 +169,21 @@ Study begin_study(const StudyOptions &options)
     print_note("Memory    ", size_of(study).memory_note());
   }
   // Also checked before MPI starts, because MPI prints its own messages if it lacks memory.
-  require_memory_left(study, n_threads_of(options));
+  require_memory_for(study, n_threads_of(options));
   if (study.load.is_from_contact())
     prepare_body(study.contact.body);
-  require_memory_left(study, n_threads_of(options));
+  require_memory_for(study, n_threads_of(options));
   return study;
+}
+
+StudyWork::StudyWork(const StudyOptions &options)
+    : progress(stopwatch)
+    , study(begin_study(options))
+    , folder(options.results_place())
+    , executor(cache, n_threads_of(options), progress)
+{
+  note_load_source(study, progress);
+  stopwatch.finish("input");
 }
 
 } // namespace stemware::pipeline

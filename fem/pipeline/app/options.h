@@ -1,6 +1,9 @@
 #pragma once
 
+#include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/verbs.h"
+#include "fem/pipeline/base/output.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_options.h"
 
@@ -52,5 +55,19 @@ void print_warning(const std::string &label, const std::string &warning, const S
 /// Directs the console, reads the study, prepares its foot, and makes all checks before the work. Throws
 /// BadInput if a check fails.
 Study begin_study(const StudyOptions &options);
+
+/// Objects for the work of the verbs that solve one study. Collective over all ranks.
+struct StudyWork
+{
+  /// Checks study and results folder by begin_study() and ResultsFolder, and reports the required resultants.
+  explicit StudyWork(const StudyOptions &options);
+
+  Stopwatch stopwatch;
+  ConsoleProgress progress;
+  Study study;
+  ResultsFolder folder;
+  fem::ComplianceCache cache;
+  ThreadedExecutor executor;
+};
 
 } // namespace stemware::pipeline

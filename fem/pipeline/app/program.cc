@@ -69,22 +69,6 @@ std::string describe_error(const CLI::App &program, const CLI::ParseError &error
                         : shortened(error.what(), 160) + "; see";
 }
 
-void describe_program(CLI::App &program)
-{
-  program.require_subcommand(1);
-  program.get_formatter()->label("SUBCOMMAND", "VERB");
-  program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
-  program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
-  program.footer(help_of("stemware"));
-}
-
-std::string why_no_verb(const CLI::App &program, const std::string &name)
-{
-  const std::vector<std::string> verbs = verbs_of(program);
-  return not_known(name, verbs, "not one of the verbs " + listed(verbs, "and")) +
-         " `stemware --help` for examples.";
-}
-
 /// Returns an exit code after --help, --version and usage errors; std::nullopt if a verb is to be run.
 std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
 {
@@ -151,7 +135,11 @@ void add_help_verb(CLI::App &program, Verb &chosen)
         if (candidate->get_name() == *topic)
           found = candidate;
       if (found == nullptr)
-        throw BadInput(why_no_verb(program, *topic));
+      {
+        const std::vector<std::string> verbs = verbs_of(program);
+        throw BadInput(not_known(*topic, verbs, "not one of the verbs " + listed(verbs, "and")) +
+                       " `stemware --help` for examples.");
+      }
       const std::string name = program.get_name() + (topic->empty() ? "" : ' ' + *topic);
       chosen = [found, name] {
         console() << found->get_formatter()->make_help(found, name, CLI::AppFormatMode::Normal) << std::flush;
@@ -173,7 +161,11 @@ int run_program(int argc, char *argv[])
     require_utf8(argc, argv);
     CLI::App program("Stemware: the spin of a wine glass on a table, with an elastic foot.", "stemware");
     Verb chosen;
-    describe_program(program);
+    program.require_subcommand(1);
+    program.get_formatter()->label("SUBCOMMAND", "VERB");
+    program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
+    program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
+    program.footer(help_of("stemware"));
 #define STEMWARE_VERB(name) add_##name##_verb(program, chosen);
     STEMWARE_VERBS(STEMWARE_VERB)
     if (const auto exit_code = parse_command_line(program, argc, argv))

@@ -1,6 +1,5 @@
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/app/options.h"
-#include "fem/pipeline/app/study_work.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/result/verb_results.h"

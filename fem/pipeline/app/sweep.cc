@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/sweep_case.h"
+#include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"
 #include "fem/pipeline/base/console.h"
 #include "fem/pipeline/base/failures.h"
@@ -71,14 +72,15 @@ void sweep(const SweepOptions &options)
   note_implausible_cases(list, options);
   stopwatch.finish("input");
 
-  WorkProgress progress(n_cases);
+  ConsoleProgress progress(stopwatch);
   std::size_t n_done = n_kept, n_failed = 0;
   solve_cases(list, wanted, n_threads,
               [&](std::size_t index, const CaseResult &result)
               {
                 file.append(index, result);
                 n_failed += result.status == "failed" ? 1 : 0;
-                progress.show(++n_done, n_failed);
+                const std::string failed = fmt::format(FMT_STRING(", {} failed"), n_failed);
+                progress.pieces_done("cases" + (n_failed > 0 ? failed : ""), ++n_done, n_cases);
               });
   stopwatch.finish("cases");
 

@@ -3,15 +3,12 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/ranks.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <iostream>
 #include <string>
 #include <unistd.h>
-#include <utility>
 
 namespace stemware::pipeline
 {
@@ -29,14 +26,6 @@ std::streambuf *console_buffer()
   return console_descriptor == STDOUT_FILENO ? std::cout.rdbuf() : std::cerr.rdbuf();
 }
 
-/// Returns true if "\r" overwrites a progress line: on terminals, except simple ones (TERM=dumb).
-bool console_is_terminal()
-{
-  const char *kind = std::getenv("TERM");
-  return console_buffer() != nullptr && ::isatty(console_descriptor) == 1 && kind != nullptr &&
-         std::string(kind) != "dumb";
-}
-
 } // namespace
 
 void open_missing_streams()
@@ -47,6 +36,13 @@ void open_missing_streams()
       ::open("/dev/null", O_RDWR); // open() assigns the lowest free number: the missing descriptor
       stdout_was_missing = stdout_was_missing || descriptor == STDOUT_FILENO;
     }
+}
+
+bool console_is_terminal()
+{
+  const char *kind = std::getenv("TERM");
+  return console_buffer() != nullptr && ::isatty(console_descriptor) == 1 && kind != nullptr &&
+         std::string(kind) != "dumb";
 }
 
 void direct_console(bool quiet, bool json)
@@ -73,44 +69,6 @@ void require_printed()
   if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
     throw OutputFailure(
       "Standard output is incomplete (disk full?); results written to a folder are complete.");
-}
-
-WorkProgress::WorkProgress(std::size_t n_cases, std::string noun)
-    : n_cases(n_cases)
-    , noun(std::move(noun))
-{
-}
-
-WorkProgress::~WorkProgress()
-{
-  if (bar_width > 0)
-    console() << std::endl;
-}
-
-void WorkProgress::show(std::size_t n_finished, std::size_t n_failed)
-{
-  const std::size_t n_all = std::max<std::size_t>(n_cases, 1), tenths = 10 * n_finished / n_all;
-  const auto now = std::chrono::steady_clock::now();
-  const bool is_watched = console_is_terminal();
-  if (!is_watched && (tenths == tenths_shown || now - last_line < std::chrono::seconds(3)))
-    return;
-  tenths_shown = tenths;
-  last_line = now;
-  std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_finished, n_cases, noun);
-  if (n_failed > 0)
-    text += fmt::format(FMT_STRING(", {} failed"), n_failed);
-  if (!is_watched)
-  {
-    console() << "          " << text << std::endl;
-    return;
-  }
-  constexpr std::size_t n_marks = 40;
-  const std::size_t n_done = n_marks * n_finished / n_all;
-  std::string line = "[" + std::string(n_done, '#') + std::string(n_marks - n_done, '.') + "] " + text;
-  const std::size_t width = line.size();
-  line.resize(std::max(width, bar_width), ' ');
-  bar_width = width;
-  console() << '\r' << line << std::flush;
 }
 
 } // namespace stemware::pipeline

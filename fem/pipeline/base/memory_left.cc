@@ -1,9 +1,12 @@
 #include "fem/pipeline/base/memory_left.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -14,6 +17,14 @@ namespace fs = std::filesystem;
 
 namespace
 {
+
+/// Memory that this process may still take.
+struct MemoryLeft
+{
+  double bytes;                  ///< bytes left; infinite without a limit
+  std::string limit;             ///< tightest limit with its size: "ulimit -v (0.5 GB)"
+  bool is_address_space = false; ///< the limit is RLIMIT_AS
+};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -59,8 +70,6 @@ void take_groups(MemoryLeft &least, const fs::path &root, const fs::path &path, 
   }
 }
 
-} // namespace
-
 MemoryLeft memory_left()
 {
   MemoryLeft least = { infinity, "" };
@@ -79,6 +88,19 @@ MemoryLeft memory_left()
       take_groups(least, "/sys/fs/cgroup/memory", line.substr(name + 8), "memory.limit_in_bytes",
                   "memory.usage_in_bytes");
   return least;
+}
+
+} // namespace
+
+void require_memory_left(double needed, double reserved)
+{
+  const auto [bytes, limit, is_address_space] = memory_left();
+  const double wanted = is_address_space ? reserved : needed;
+  if (bytes < wanted)
+    throw std::runtime_error(fmt::format(
+      FMT_STRING("The study needs about {:.2g} GB more memory, but {} leaves {:.2g} GB; raise the "
+                 "limit, or use fewer cells or threads (--threads 1)."),
+      wanted / 1e9, limit, std::max(bytes, 0.) / 1e9));
 }
 
 } // namespace stemware::pipeline

@@ -1,19 +1,11 @@
 #pragma once
 
-#include <string>
-
 namespace stemware::pipeline
 {
 
-/// Memory that this process may still take.
-struct MemoryLeft
-{
-  double bytes = 0;              ///< bytes left; infinite without a limit
-  std::string limit;             ///< tightest limit with its size: "ulimit -v (0.5 GB)"
-  bool is_address_space = false; ///< the limit includes reserved memory that is hardly used, such as stacks
-};
-
-/// Returns the memory left under the tightest limit: address space (RLIMIT_AS) or control groups.
-MemoryLeft memory_left();
+/// Throws std::runtime_error if this process may take less memory than the @p needed bytes, under the
+/// tightest limit: address space (RLIMIT_AS) or control groups. An address space needs @p reserved bytes,
+/// with reserved memory that is hardly used, such as stacks.
+void require_memory_left(double needed, double reserved);
 
 } // namespace stemware::pipeline

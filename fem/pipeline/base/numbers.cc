@@ -85,17 +85,15 @@ double rounded(double value, int n_digits)
   return std::strtod(printed("%.*e", n_digits - 1, value).c_str(), nullptr);
 }
 
-LeadingNumber leading_number(const std::string &text)
+std::pair<double, std::size_t> leading_number(const std::string &text)
 {
   // Refuses the hexadecimal numbers, blanks, leading + and underflows to 0 that strtod() accepts.
   const std::string decimal = text.substr(0, text.find_first_of("xX"));
-  LeadingNumber number;
   char *end = nullptr;
   errno = 0;
-  number.value = std::strtod(decimal.c_str(), &end);
-  if (decimal.find_first_of("+ \t\n\v\f\r") != 0 && !(errno == ERANGE && number.value == 0))
-    number.length = static_cast<std::size_t>(end - decimal.c_str());
-  return number;
+  const double value = std::strtod(decimal.c_str(), &end);
+  const bool is_number = decimal.find_first_of("+ \t\n\v\f\r") != 0 && !(errno == ERANGE && value == 0);
+  return { value, is_number ? end - decimal.c_str() : 0 };
 }
 
 std::string as_typed(std::string text)

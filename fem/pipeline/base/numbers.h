@@ -27,15 +27,9 @@ std::string as_typed(std::string text);
 /// Parses all of @p text as a finite number (as_typed(); leading + and outer blanks allowed) or std::nullopt.
 std::optional<double> parse_number(const std::string &text);
 
-/// Number at the beginning of a text.
-struct LeadingNumber
-{
-  double value = 0;
-  std::size_t length = 0; ///< length of the number [bytes]; 0: no number
-};
-
-/// Returns the number at the beginning of @p text; leading blanks or + are not allowed.
-LeadingNumber leading_number(const std::string &text);
+/// Returns the number at the beginning of @p text and its length [bytes]; 0: no number. Leading blanks or +
+/// are not allowed.
+std::pair<double, std::size_t> leading_number(const std::string &text);
 
 /// Parses all of @p text as a non-negative integer; std::nullopt otherwise.
 std::optional<unsigned int> parse_count(const std::string &text);

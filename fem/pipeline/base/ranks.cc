@@ -152,11 +152,6 @@ std::string from_first_rank(const std::function<std::string()> &work)
   return n_ranks() > 1 ? mpi::broadcast(MPI_COMM_WORLD, text) : text;
 }
 
-unsigned int this_rank()
-{
-  return is_running ? mpi::this_mpi_process(MPI_COMM_WORLD) : 0;
-}
-
 unsigned int n_ranks()
 {
   return is_running ? mpi::n_mpi_processes(MPI_COMM_WORLD) : 1;
@@ -164,7 +159,7 @@ unsigned int n_ranks()
 
 bool is_first_rank()
 {
-  return this_rank() == 0;
+  return !is_running || mpi::this_mpi_process(MPI_COMM_WORLD) == 0;
 }
 
 void abort_all_ranks(int exit_status)

@@ -37,9 +37,6 @@ void on_first_rank(const std::function<void()> &work);
 /// Returns on every rank the text that @p work returns on the first rank. Throws as on_first_rank().
 std::string from_first_rank(const std::function<std::string()> &work);
 
-/// Returns the rank of this process, 0 ... n_ranks() - 1.
-unsigned int this_rank();
-
 /// Aborts all processes; for failures on one rank only.
 [[noreturn]] void abort_all_ranks(int exit_status);
 

@@ -2,7 +2,6 @@
 
 #include "fem/pipeline/base/failures.h"
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <fmt/format.h>
@@ -78,11 +77,10 @@ std::vector<std::filesystem::path> shared_folders()
 
 const std::string &text_of(const CompiledTexts &files, const std::string &name)
 {
-  const auto file =
-    std::find_if(files.begin(), files.end(), [&](const CompiledText &each) { return each.name == name; });
-  if (file == files.end())
-    throw std::logic_error("The program has no text " + name + ".");
-  return file->text;
+  for (const auto &[file, text] : files)
+    if (file == name)
+      return text;
+  throw std::logic_error("The program has no text " + name + ".");
 }
 
 } // namespace stemware::pipeline

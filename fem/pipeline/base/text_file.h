@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -26,15 +27,9 @@ std::string read_input_text(const std::string &setting, const std::filesystem::p
 /// tree), relative to the folder of the executable. Empty if that folder is unknown.
 std::vector<std::filesystem::path> shared_folders();
 
-/// Source file compiled into the program by stemware_compiled_in() of CMakeLists.txt.
-struct CompiledText
-{
-  std::string name; ///< without its folder
-  std::string text;
-};
-
-/// Compiled-in files, in the order given to stemware_compiled_in().
-using CompiledTexts = std::vector<CompiledText>;
+/// Files compiled into the program, name and text, in the order given to stemware_compiled_in() of
+/// CMakeLists.txt.
+using CompiledTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// Returns the text of the file @p name. Throws std::logic_error if it is not compiled in.
 const std::string &text_of(const CompiledTexts &files, const std::string &name);

@@ -5,6 +5,7 @@
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/page/explorer.h"
+#include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
@@ -31,24 +32,6 @@ Json ring_summary(const ring::Answer &row)
   return ring;
 }
 
-Json series_summary(const ring::RingStack &load)
-{
-  const auto [a, b] = series_of(load);
-  return { { "a", a }, { "b", b } };
-}
-
-Json load_summary(const ring::RingState &state, double contact_radius)
-{
-  const Eigen::Vector2d moment = state.load.moment();
-  Json load = series_summary(state.load);
-  load.update({ { "ring_radius", state.load.radius() },
-                { "normal_force", state.load.normal_force() },
-                { "moment", { moment.x(), moment.y() } },
-                { "moment_ratio", state.load.moment_ratio(contact_radius) },
-                { "minimum", finite_or_null(state.minimum) } });
-  return load;
-}
-
 const ring::RingState *end_of(const ring::Answer &row)
 {
   return row.at_terminal ? &*row.at_terminal
@@ -70,24 +53,21 @@ Json answer_document(const LiveAnswer &found)
   Json summary = { { "ring", ring_summary(found.full) },
                    { "paper", ring_summary(found.paper) },
                    { "first_n", found.truncated ? ring_summary(*found.truncated) : Json(nullptr) } };
-  if (found.full.at_rest)
-    summary["load"] = load_summary(*found.full.at_rest, found.contact_radius);
+  if (found.load_at_rest)
+    summary["load"] = load_fields().json(*found.load_at_rest);
   if (const ring::RingState *end = end_of(found.full))
   {
-    Json &load = summary["load_at_terminal"] = load_summary(*end, found.contact_radius);
-    LoadReport report;
-    report.rings = end->load;
-    if (found.contact)
-    {
-      report.contact_fraction = found.contact->load.contact_fraction;
-      report.pointwise = found.contact->load.pointwise;
-      load["contact_fraction"] = report.contact_fraction;
-      load["tilt"] = { found.contact->solution.motion(1), found.contact->solution.motion(2) };
-    }
+    summary["load_at_terminal"] = load_fields().json(found.load);
+    summary["load_at_terminal"]["tilt"] = { found.contact.solution.motion(1),
+                                            found.contact.solution.motion(2) };
     if (const ring::RingState *first_n = found.truncated ? end_of(*found.truncated) : nullptr)
-      summary["first_n"]["load"] = series_summary(first_n->load);
-    add_load_lines(report, results);
-    add_motion(study, { { { 0, found.full.last_spin().value_or(0), 0 }, *end } }, results);
+    {
+      const auto [a, b] = series_of(first_n->load);
+      summary["first_n"]["load"] = { { "a", a }, { "b", b } };
+    }
+    add_load_lines(found.load, results);
+    add_motion(study.motion.orbit, study.glass.profile.contact_radius,
+               { { { 0, found.full.last_spin().value_or(0), 0 }, *end } }, results);
     results.words["sketch"]["clockwise"] = study.motion.orbit.sense_sign() < 0;
     results.words["spin_unit"] = study.spin_unit();
     results.words["rounding"] = study.rounding_of_spins();
@@ -95,14 +75,7 @@ Json answer_document(const LiveAnswer &found)
   return document_of(results, summary);
 }
 
-/// Returns a failure as JSON, with notes on implausible values, which are its likely cause.
-Json failure_of(const std::string &message, bool tips)
-{
-  return { { "error", message },
-           { "tips", tips },
-           { "notes", implausible_notes(entries_of(explorer->study())) } };
-}
-
+/// Returns the JSON of @p make, or its failure with notes on implausible values, which are the likely cause.
 template <typename Make>
 const char *answer(const Make &make)
 {
@@ -110,17 +83,13 @@ const char *answer(const Make &make)
   {
     reply = dump_utf8(make());
   }
-  catch (const ring::Tipping &failure)
-  {
-    reply = dump_utf8(failure_of(failure.what(), true));
-  }
-  catch (const fem::ContactFailure &failure)
-  {
-    reply = dump_utf8(failure_of(failure.what(), failure.outcome == fem::ContactOutcome::tipping));
-  }
   catch (const std::exception &failure)
   {
-    reply = dump_utf8(failure_of(failure.what(), false));
+    const auto *contact = dynamic_cast<const fem::ContactFailure *>(&failure);
+    const bool tips = contact ? contact->outcome == fem::ContactOutcome::tipping
+                              : dynamic_cast<const ring::Tipping *>(&failure) != nullptr;
+    reply = dump_utf8(
+      { { "error", failure.what() }, { "tips", tips }, { "notes", implausible_notes(entries_of(explorer->study())) } });
   }
   return reply.c_str();
 }
@@ -202,9 +171,13 @@ const char *explore_curves()
       Results results;
       if (const std::optional<StudyCurves> curves = explorer->curves())
       {
-        add_torque_columns(curves->torque, friction_torques(curves->paper), results);
-        add_spin_up_columns(curves->spin_up, curves->n_first, results);
-        add_motion(explorer->study(), curves->spin_up.instants, results);
+        const std::vector<double> of_paper = friction_torques(curves->paper);
+        Fields<std::size_t> torque = torque_columns(curves->torque);
+        if (!of_paper.empty())
+          torque.add({ "tau_paper", "N m", "", values_in(of_paper), in_picture("paper") });
+        add_curves(*curves, torque, spin_up_columns(curves->spin_up, curves->n_first), results);
+        add_motion(explorer->study().motion.orbit, explorer->study().glass.profile.contact_radius,
+                   curves->spin_up.instants, results);
       }
       return Json{ { "document", document_of(results) } };
     });

@@ -10,8 +10,9 @@
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/page/explorer.h"
-#include "fem/pipeline/page/live_bodies.h"
+#include "fem/pipeline/page/page.h"
 #include "fem/pipeline/study/study_file.h"
+#include "fem/revolution/meridian_meshes.h"
 
 #include <deal.II/base/utilities.h>
 
@@ -143,21 +144,6 @@ std::vector<std::pair<std::string, std::string>> values_of(const std::vector<Stu
   return values;
 }
 
-std::vector<std::string> acting_entries(const std::vector<StudyEntry> &own)
-{
-  std::vector<std::string> acting;
-  for (const StudyEntry &entry : own)
-    if (entry.has_effect)
-      acting.push_back(entry.path());
-  return acting;
-}
-
-ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
-{
-  const auto foot = study_foot(study, foot_maker(cache));
-  return ring::answer(find_load(study, foot), spin_question(study)).value();
-}
-
 /// Returns the answer that the page will compute, by an Explorer with the quantised compliances.
 ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
@@ -237,30 +223,32 @@ constexpr double similar_feet[] = { 0.8, 0.9, 1.1, 1.2 };
 /// Glass and table of a page, with the program's answer and the compliances stored in the page.
 struct SolvedPair
 {
-  PagePair pair;
+  std::string glass, table;
   Study study;
+  unsigned int n_nodes;
   double fineness; ///< Discretisation::fineness
   PagedCompliance foot;
   std::optional<PagedCompliance> disc;
   /// Compliances of an elastic table under feet of other sizes (`similar_feet`), by contact radius [m].
   std::map<double, PagedCompliance> discs;
-  std::optional<double> here; ///< terminal spin that an Explorer computes from these compliances [rad/s]
+  std::optional<double> omega; ///< terminal spin by `run` [rad/s]; std::nullopt if the glass tips
+  std::optional<double> here;  ///< terminal spin that an Explorer computes from these compliances [rad/s]
+  /// Twice the difference of the spins, if the page's mesh is coarser than that of `run` [rad/s].
+  std::optional<double> band = {};
+
+  std::string spin_text() const { return omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *omega) : "tips"; }
 };
 
 /// Solves a pair. Quantises its compliances with the smallest number of bits that meets `tolerance`.
 SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
                       fem::ComplianceCache &cache)
 {
-  Study study = study_of(options, glass, table);
-  PagePair pair;
-  pair.glass = glass ? glass->name : "glass of the study";
-  pair.table = table ? table->name : "table of the study";
-  const ring::Answer program = answer_of(study, cache);
-  pair.omega = program.omega_terminal();
+  const Study study = study_of(options, glass, table);
+  const auto program_foot = study_foot(study, foot_maker(cache));
+  const ring::Answer program = ring::answer(find_load(study, program_foot), spin_question(study)).value();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
   const LiveBodies live = live_bodies({ study, mesh }, cache);
-  pair.n_nodes = live.foot.n_nodes();
   for (int bits = is_coarse ? 20 : 24;; bits = bits < 27 ? 27 : 30)
   {
     const PagedCompliance foot(live.foot, bits);
@@ -269,14 +257,23 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
     const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
       continue;
+    SolvedPair pair = { glass ? glass->name : "glass of the study",
+                        table ? table->name : "table of the study",
+                        study,
+                        live.foot.n_nodes(),
+                        mesh.fineness,
+                        foot,
+                        disc,
+                        {},
+                        program.omega_terminal(),
+                        here.omega_terminal() };
     if (is_coarse)
       pair.band = 2 * error;
-    std::map<double, PagedCompliance> discs;
     if (disc)
       for (const double ratio : similar_feet)
-        discs.emplace(ratio * study.glass.profile.contact_radius,
-                      PagedCompliance(*live_bodies({ study, mesh }, cache, ratio).disc, bits));
-    return { pair, study, mesh.fineness, foot, disc, discs, here.omega_terminal() };
+        pair.discs.emplace(ratio * study.glass.profile.contact_radius,
+                           PagedCompliance(*live_bodies({ study, mesh }, cache, ratio).disc, bits));
+    return pair;
   }
 }
 
@@ -295,8 +292,8 @@ std::string script_in(const std::string &page, const std::string &id)
   return page.substr(begin + tag.size(), end - begin - tag.size());
 }
 
-} // namespace
-
+/// Returns the installed solver as WebAssembly, gzip in base64: of explore.wasm in share/stemware, else of
+/// explore.html there.
 std::string live_solver()
 {
   for (const std::filesystem::path &folder : shared_folders())
@@ -310,9 +307,37 @@ std::string live_solver()
     "explore.html of the project into share/stemware.");
 }
 
-LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
-                   const std::function<void(const PagePair &)> &done)
+} // namespace
+
+LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
 {
+  const Study &study = specification.study;
+  ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
+  ensure(abilities(study.contact.body).is_of_revolution,
+         "A page solves bodies of revolution only; set Contact/Body = revolution.");
+  ensure(!study.has_waviness(),
+         "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");
+  ensure(files_of(entries_of(study)).empty(),
+         "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
+  ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
+  fem::RevolutionSetup setup = revolution_setup(specification);
+  if (setup.table.substrate)
+  {
+    setup.table.substrate->disc.radius /= ratio;
+    setup.table.substrate->disc.thickness /= ratio;
+  }
+  const fem::MeridianMeshes meshes(setup);
+  const fem::MeridianOptions options = setup.meridian_of_zone();
+  LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), std::nullopt };
+  if (setup.table.substrate)
+    bodies.disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
+  return bodies;
+}
+
+std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache,
+                         const std::function<void(const std::string &)> &report)
+{
+  const std::string solver = live_solver();
   std::vector<std::pair<const Preset *, const Preset *>> wanted;
   for (const Preset *glass : each_of(options.glasses))
     for (const Preset *table : each_of(options.tables))
@@ -323,54 +348,45 @@ LivePart live_part(const PageOptions &options, const std::string &solver, fem::C
               { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
 
   Bodies bodies;
-  Json pairs;
-  for (const std::optional<SolvedPair> &one : solved)
+  Json pairs, entries;
+  std::string spins;
+  for (const std::optional<SolvedPair> &pair : solved)
   {
-    const PagePair &pair = one->pair;
-    const std::vector<StudyEntry> entries = entries_of(one->study);
-    Json discs = Json::array();
-    for (const auto &[radius, disc] : one->discs)
+    const std::vector<StudyEntry> own = entries_of(pair->study);
+    Json acting = Json::array(), discs = Json::array();
+    for (const StudyEntry &entry : own)
+      if (entry.has_effect)
+        acting.push_back(entry.path());
+    for (const auto &[radius, disc] : pair->discs)
       discs.push_back({ rounded(radius, 6), bodies.add(disc) });
-    pairs[pair.glass + '|' + pair.table] = { { "values", values_of(entries) },
-                                             { "acts", acting_entries(entries) },
-                                             { "foot", bodies.add(one->foot) },
-                                             { "disc", one->disc ? Json(bodies.add(*one->disc)) : Json() },
-                                             { "discs", discs },
-                                             { "fineness", one->fineness },
-                                             { "nodes", pair.n_nodes },
-                                             { "omega", pair.omega },
-                                             { "here", one->here },
-                                             { "band", pair.band } };
-    done(pair);
+    pairs[pair->glass + '|' + pair->table] = { { "values", values_of(own) },
+                                               { "acts", acting },
+                                               { "foot", bodies.add(pair->foot) },
+                                               { "disc",
+                                                 pair->disc ? Json(bodies.add(*pair->disc)) : Json() },
+                                               { "discs", discs },
+                                               { "fineness", pair->fineness },
+                                               { "nodes", pair->n_nodes },
+                                               { "omega", pair->omega },
+                                               { "here", pair->here },
+                                               { "band", pair->band } };
+    const std::string name = pair->glass + " on " + pair->table, spin = pair->spin_text();
+    spins += (spins.empty() ? "" : ", ") + name + ' ' + boost::replace_all_copy(spin, "-", "\u2212");
+    report(fmt::format(FMT_STRING("{}: {} nodes, {}"), name, pair->n_nodes, spin) +
+           (pair->band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair->band) : ""));
   }
-
-  Json entries;
   for (const StudyEntry &entry : default_entries())
     entries[entry.path()] = entry.text();
-  return { { { "version", program_version() },
-             { "tolerance", tolerance },
-             { "near_band", close_mesh_band },
-             { "glasses", buttons(options.glasses, "glass of the study") },
-             { "tables", buttons(options.tables, "table of the study") },
-             { "entries", entries },
-             { "pairs", pairs },
-             { "bodies", bodies.places } },
-           compressed_base64(bodies.bytes),
-           solver };
-}
-
-std::string spin_text(const PagePair &pair)
-{
-  return pair.omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *pair.omega) : "tips";
-}
-
-std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs)
-{
-  std::string spins;
-  for (const PagePair &pair : pairs)
-    spins += (spins.empty() ? "" : ", ") + pair.glass + " on " + pair.table + ' ' +
-             boost::replace_all_copy(spin_text(pair), "-", "\u2212");
-  return live_page(live, "The spinning wine glass", "Terminal spins by stemware run: " + spins + '.');
+  const Json data = { { "version", program_version() },
+                      { "tolerance", tolerance },
+                      { "near_band", close_mesh_band },
+                      { "glasses", buttons(options.glasses, "glass of the study") },
+                      { "tables", buttons(options.tables, "table of the study") },
+                      { "entries", entries },
+                      { "pairs", pairs },
+                      { "bodies", bodies.places } };
+  return live_page(data, compressed_base64(bodies.bytes), solver, "The spinning wine glass",
+                   "Terminal spins by stemware run: " + spins + '.');
 }
 
 } // namespace stemware::pipeline

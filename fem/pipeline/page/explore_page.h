@@ -1,8 +1,7 @@
 #pragma once
 
-#include "fem/pipeline/page/page.h"
+#include "fem/pipeline/coupling/foot_specification.h"
 #include "fem/pipeline/study/presets.h"
-#include "fem/pipeline/study/study.h"
 #include "fem/revolution/compliance_cache.h"
 
 #include <functional>
@@ -13,11 +12,19 @@
 namespace stemware::pipeline
 {
 
-/// Returns the installed solver as WebAssembly, gzip in base64: of explore.wasm in share/stemware, else of
-/// explore.html there. Throws BadInput if neither exists.
-std::string live_solver();
+/// Compliances of a study for an Explorer.
+struct LiveBodies
+{
+  fem::ContactCompliance foot;
+  std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
+};
 
-/// Options of the live part of a page.
+/// Returns the compliances of foot and disc of a study in the expected contact zone. For a similar foot,
+/// @p ratio times as large, the disc is made smaller by this ratio, because Explorer scales both. Throws
+/// BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
+LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio = 1);
+
+/// Options of a page that solves a study at every move of a slider.
 struct PageOptions
 {
   Study study;                 ///< initial study of the page
@@ -27,25 +34,10 @@ struct PageOptions
   unsigned int max_nodes = 0;  ///< nodes across the land, if focused; 0: as in `stemware run`
 };
 
-/// Glass on a table of a page.
-struct PagePair
-{
-  std::string glass, table;
-  unsigned int n_nodes = 0;
-  std::optional<double> omega; ///< terminal spin by `run` [rad/s]; std::nullopt if the glass tips
-  /// Twice the difference from the spin on the page's mesh, if that mesh is coarser [rad/s].
-  std::optional<double> band;
-};
-
-/// Makes the live part of a page; calls @p done for each pair, in order. Throws BadInput as live_bodies(),
-/// and for pairs that cannot be solved.
-LivePart live_part(const PageOptions &options, const std::string &solver, fem::ComplianceCache &cache,
-                   const std::function<void(const PagePair &)> &done);
-
-/// Returns the terminal spin with its unit, or a text that the glass tips.
-std::string spin_text(const PagePair &pair);
-
-/// Returns the page of @p live with its @p pairs.
-std::string explore_page(const LivePart &live, const std::vector<PagePair> &pairs);
+/// Returns the page of @p options. Calls @p report for each pair of glass and table, in order, with its name,
+/// nodes and terminal spin. Throws BadInput without an installed solver (explore.wasm or explore.html in
+/// share/stemware), as live_bodies(), and for pairs that cannot be solved.
+std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache,
+                         const std::function<void(const std::string &)> &report);
 
 } // namespace stemware::pipeline

@@ -150,12 +150,6 @@ Executor Explorer::executor() const
                   { return make_foot(specification); });
 }
 
-void Explorer::require_mesh() const
-{
-  ensure(mesh_match() != MeshMatch::none,
-         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
-}
-
 LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
 {
   const std::shared_ptr<ElasticFoot> last = std::exchange(foot, nullptr);
@@ -163,12 +157,14 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   present.check_values();
   present.required_resultants(); // throws if the glass tips at rest
   LiveAnswer answer;
-  require_mesh();
   answer.match = mesh_match();
+  ensure(answer.match != MeshMatch::none,
+         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
   const bool from_last = !cold && last && last->has_rings();
   if (!from_last || !follow(*last, n_harmonics, answer))
     solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);
-  answer.contact_radius = foot->radius();
+  contact_at_zero = answer.contact;
+  answer.load = report_of(answer.contact, foot->radius(), present.tilts());
   paper.variant.study = paper_study(present);
   paper.load = find_load(paper.variant.study, nullptr);
   paper.row = answer.paper = ring::answer(*paper.load, spin_question(paper.variant.study));
@@ -207,7 +203,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
       answer.truncated = row_of(*cut);
     }
     answer.full = row_of(*all);
-    answer.contact = contact_at_zero = all->contact;
+    answer.contact = all->contact;
     zero = all->spin;
     return true;
   }
@@ -240,7 +236,9 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
     rows.push_back({ { foot->specification() }, *answer.truncated, cut });
   }
   rows.push_back({ { foot->specification() }, answer.full, load });
-  answer.contact = contact_at_zero = load.contact(answer.full.last_spin().value_or(0));
+  answer.contact = load.contact(answer.full.last_spin().value_or(0)).value();
+  if (answer.full.at_rest)
+    answer.load_at_rest = load.report();
 }
 
 std::optional<StudyCurves> Explorer::curves()

@@ -28,12 +28,12 @@ constexpr double close_mesh_band = 2e-5;
 struct LiveAnswer
 {
   MeshMatch match = MeshMatch::same;
-  ring::Answer full;                     ///< all harmonics
-  std::optional<ring::Answer> truncated; ///< first n harmonics only, if n is given
-  ring::Answer paper;                    ///< the paper's model
-  /// Contact at the end of the spin-up, or at rest without a spin; std::nullopt without a contact.
-  std::optional<fem::ContactState> contact;
-  double contact_radius = 0; ///< [m]
+  ring::Answer full;                      ///< all harmonics
+  std::optional<ring::Answer> truncated;  ///< first n harmonics only, if n is given
+  ring::Answer paper;                     ///< the paper's model
+  fem::ContactState contact;              ///< at the end of the spin-up, or at rest without a spin
+  LoadReport load;                        ///< load of `contact`
+  std::optional<LoadReport> load_at_rest; ///< std::nullopt if the state at rest is not computed
 };
 
 /// Study that is changed and solved repeatedly with given compliances; rejects changes that need a new mesh.
@@ -76,7 +76,6 @@ public:
 private:
   std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification) const;
   Executor executor() const;
-  void require_mesh() const;
   /// Returns the size of the foot over that of the foot of the compliances.
   double size() const { return present.glass.profile.contact_radius / base.glass.profile.contact_radius; }
   /// Solves @p answer from the previous balance on the rings of @p last. Returns true if the solve converged.

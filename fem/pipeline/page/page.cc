@@ -4,11 +4,13 @@
 #include "fem/pipeline/base/output.h"
 #include "fem/pipeline/base/text_file.h"
 
+#include <boost/algorithm/string/replace.hpp>
 #include <boost/archive/iterators/base64_from_binary.hpp>
 #include <boost/archive/iterators/transform_width.hpp>
 
 #include <map>
 #include <string>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -34,23 +36,13 @@ std::string with_marks_replaced(const std::string &text, const std::map<std::str
   return result + text.substr(written);
 }
 
-std::string html_text(const std::string &text)
+std::string html_text(std::string text)
 {
-  std::string safe;
-  for (const char character : text)
-    if (character == '<')
-      safe += "&lt;";
-    else if (character == '>')
-      safe += "&gt;";
-    else if (character == '&')
-      safe += "&amp;";
-    else if (character == '"')
-      safe += "&quot;";
-    else if (character == '\'')
-      safe += "&#39;";
-    else
-      safe += character;
-  return safe;
+  for (const auto &[character, entity] :
+       { std::pair("&", "&amp;"), std::pair("<", "&lt;"), std::pair(">", "&gt;"), std::pair("\"", "&quot;"),
+         std::pair("'", "&#39;") })
+    boost::replace_all(text, character, entity);
+  return text;
 }
 
 /// Returns the base64 form of hexadecimal @p digits, the format of checksums in a Content-Security-Policy.
@@ -100,13 +92,14 @@ std::string page_of(const Json &document, const std::string &title, const std::s
                   { "SCRIPT", text_of(texts, "script.js") } });
 }
 
-std::string live_page(const LivePart &live, const std::string &title, const std::string &answer)
+std::string live_page(const Json &data, const std::string &bodies, const std::string &wasm,
+                      const std::string &title, const std::string &answer)
 {
   const CompiledTexts &texts = page_texts();
   const std::string content =
-    with_marks_replaced(text_of(texts, "live.html"), { { "DATA", json_within_html(live.data) },
-                                                       { "BODIES", live.bodies },
-                                                       { "WASM", live.wasm },
+    with_marks_replaced(text_of(texts, "live.html"), { { "DATA", json_within_html(data) },
+                                                       { "BODIES", bodies },
+                                                       { "WASM", wasm },
                                                        { "WORKER", text_of(texts, "worker.js") } });
   return filled(title, answer,
                 { { "NO_SCRIPT", no_script },

@@ -47,14 +47,6 @@ void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &fol
     write_text_file(folder / "fields" / field.name, field.text);
 }
 
-std::string text_of(const ResultFile &file)
-{
-  if (const auto *text = std::get_if<std::string>(&file.content))
-    return *text;
-  const Table &table = std::get<Table>(file.content);
-  return fs::path(file.name).extension() == ".csv" ? csv_table(table) : data_table(table);
-}
-
 Json page_document(const Results &results, Json summary)
 {
   for (const char *load : { "load", "load_at_terminal", "load_at_fall" })
@@ -72,8 +64,10 @@ void write_results(const StudyOptions &options, Results &results, Stopwatch &sto
                    const fs::path &final_place)
 {
   for (const ResultFile &file : results.files)
-    if (!std::holds_alternative<std::monostate>(file.content))
-      write_text_file(place / file.name, text_of(file));
+    if (const auto *text = std::get_if<std::string>(&file.content))
+      write_text_file(place / file.name, *text);
+    else if (const auto *table = std::get_if<Table>(&file.content))
+      write_text_file(place / file.name, csv_table(*table));
   stopwatch.finish("tables");
   results.study = with_paths_from(final_place, results.study);
   write_text_file(place / "parameters.prm", study_as_prm(results.study));

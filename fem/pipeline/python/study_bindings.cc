@@ -12,7 +12,7 @@
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/page/publish.h"
-#include "fem/pipeline/result/schema.h"
+#include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/presets.h"
@@ -233,6 +233,16 @@ private:
   std::mutex mutex;
 };
 
+/// Returns the columns with a key in Python as arrays.
+py::dict arrays_of(const Fields<std::size_t> &columns, std::size_t n_points)
+{
+  py::dict arrays;
+  for (const auto &[quantity, cells] : columns.table(points_of(n_points), Face::python).columns)
+    arrays[quantity.array.c_str()] =
+      py::array_t<double>(py::cast(std::vector<double>(cells.begin(), cells.end())));
+  return arrays;
+}
+
 py::dict curves_in(const Found &found)
 {
   const auto numpy_of = [](const auto &values)
@@ -240,23 +250,14 @@ py::dict curves_in(const Found &found)
   if (!found.answer)
     return py::dict();
   const StudyAnswer &answer = *found.answer;
-  const TorqueCurve &torque = answer.spin.torque;
-  const SpinUpCurves &up = answer.spin.spin_up;
-  const py::array spins = numpy_of(torque.omega), torques = numpy_of(torque.all);
-  const py::object friction = torques["friction"], tau = friction["torque"], lean = torques["lean_torque"],
-                   grip = torques["grip_torque"];
   std::vector<fem::PressurePoint> points;
   if (answer.contact.foot)
     for (const auto &cut : answer.contact.foot->footprint.cuts)
       points.insert(points.end(), cut.begin(), cut.end());
-  return py::dict(
-    "torque"_a = py::dict("omega"_a = spins, "slip_ratio"_a = spins / py::float_(torque.spin_scale),
-                          "sum"_a = tau + lean + grip, "friction"_a = tau, "force_x"_a = friction["force_x"],
-                          "force_y"_a = friction["force_y"], "lean"_a = lean, "grip"_a = grip),
-    "spin_up"_a = py::dict("time"_a = numpy_of(up.time), "omega"_a = numpy_of(up.adaptive),
-                           "yaw_angle"_a = numpy_of(up.yaw_angle), "paper"_a = numpy_of(up.paper),
-                           "first_harmonic"_a = numpy_of(up.first_harmonic)),
-    "load"_a = numpy_of(answer.contact.load.pointwise), "pressure"_a = numpy_of(points));
+  const StudyCurves &curves = answer.spin;
+  return py::dict("torque"_a = arrays_of(torque_columns(curves.torque), curves.torque.omega.size()),
+                  "spin_up"_a = arrays_of(spin_up_columns(curves.spin_up), curves.spin_up.time.size()),
+                  "load"_a = numpy_of(answer.contact.load.pointwise), "pressure"_a = numpy_of(points));
 }
 
 /// Translates @p Failure and its derived classes into the exception @p raised.
@@ -350,8 +351,6 @@ the contacts of the last one. For one thread.)")
   m.def("limit_cache",
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
-  PYBIND11_NUMPY_DTYPE(ring::Wrench, torque, force_x, force_y);
-  PYBIND11_NUMPY_DTYPE(ring::Torques, friction, lean_torque, grip_torque);
   PYBIND11_NUMPY_DTYPE_EX(fem::AzimuthLoad, azimuth, "theta", density, "density");
   PYBIND11_NUMPY_DTYPE_EX(fem::PressurePoint, radius, "r", azimuth, "theta", pressure, "p");
   py::class_<Found>(m, "Found")
@@ -361,14 +360,7 @@ the contacts of the last one. For one thread.)")
     .def("save", &Found::save, "folder"_a, py::call_guard<py::gil_scoped_release>());
 
   py::class_<MpiSession>(m, "MpiSession").def(py::init<>());
-  m.def("unit",
-        [](const std::string &key, const std::string &part) -> std::string
-        {
-          for (const Quantity &quantity : sweep_columns())
-            if (part == "sweep.csv" && quantity.key == key)
-              return quantity.unit;
-          return unit_in_summary(part, key);
-        });
+  m.def("unit", [](const std::string &key, const std::string &part) { return unit_in_summary(part, key); });
   m.def("unit_of_entry", &unit_of);
   m.def("case_keys",
         []

@@ -18,31 +18,6 @@ struct LevelRow
   std::size_t level;
 };
 
-Fields<LevelRow> level_fields(const ErrorBands &bands)
-{
-  Fields<LevelRow> fields = {
-    { "axis", "", "", [](const LevelRow &row) { return row.axis.key; },
-      in_file("axis", "axis of refinement") },
-    { "level", "1", "",
-      [](const LevelRow &row) { return static_cast<double>(row.level) - static_cast<double>(row.axis.own); },
-      in_file("level", "level of the axis; 0 is the study") },
-    { "size", "1", "", [](const LevelRow &row) { return row.axis.sizes[row.level]; },
-      in_file("size", "size of the level: what the axis counts") },
-    { "unknowns", "1", "",
-      [](const LevelRow &row) { return size_of(row.axis.levels[row.level].study).unknowns; },
-      in_file("unknowns", "unknowns of the largest linear system, estimated") }
-  };
-  for (std::size_t i = 0; i < bands.size(); ++i)
-  {
-    const QuantityOfInterest &quantity = bands[i].quantity;
-    fields.add({ quantity.omega ? "tau_at_*" : quantity.key, quantity.unit, "",
-                 [i](const LevelRow &row) { return row.axis.quantities[i].values[row.level]; },
-                 in_file(quantity.name, quantity.name),
-                 with_number(quantity.omega ? to_short_text(*quantity.omega) : "") });
-  }
-  return fields;
-}
-
 struct ConvergeRow
 {
   const std::vector<RefinementAxis> &axes;
@@ -63,13 +38,13 @@ const Fields<ConvergeRow> &converge_fields()
                   { "size", "", "Unit of the levels.", &Axis::size },
                   { "levels", "", "Sizes of the levels.", &Axis::sizes },
                   { "own_level", "", "Index of the study's own level, from 0.", &Axis::own },
-                  { "figures", "Quantities by key.", sequence_fields, &Axis::quantities,
-                    ByKey{ &Sequence::key } } };
+                  { "figures", "Quantities by key.", sequence_fields.by(&Sequence::key),
+                    &Axis::quantities } };
   static const auto fields =
-    Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.", axis_fields,
-                           [](const ConvergeRow &row) { return row.axes; }, ByKey{ &Axis::key } },
+    Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.",
+                           axis_fields.by(&Axis::key), [](const ConvergeRow &row) { return row.axes; } },
                          { "error_bands", "Error bands by quantity.", band_fields(true),
-                           [](const ConvergeRow &row) { return row.bands; }, ByKey{ key_of_band } } };
+                           [](const ConvergeRow &row) { return row.bands; } } };
   return fields;
 }
 
@@ -92,18 +67,6 @@ Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
                       face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
-std::string convergence_answer(const BandedQuantity &spin, const std::string &first_axis,
-                               const std::optional<double> &order)
-{
-  return "Terminal spin " + format::with_band(spin.quantity.value, spin.band) +
-         " rad/s (discretisation only)" +
-         (order ? "; it converges with order " + format::number(*order, ".2f") + " in the " + first_axis
-                : "") +
-         ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) +
-         " rad/s. The band of stemware run differs: its levels are coarser, and it has parts for rings, load "
-         "harmonics and the spring of a hard interface.";
-}
-
 } // namespace
 
 Json converge_schema()
@@ -117,7 +80,27 @@ Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &ban
   for (const RefinementAxis &axis : axes)
     for (std::size_t l = 0; l < axis.levels.size(); ++l)
       rows.push_back({ axis, l });
-  return level_fields(bands).table(rows, Face::file);
+  Fields<LevelRow> fields = {
+    { "axis", "", "", [](const LevelRow &row) { return row.axis.key; },
+      in_file("axis", "axis of refinement") },
+    { "level", "1", "",
+      [](const LevelRow &row) { return static_cast<double>(row.level) - static_cast<double>(row.axis.own); },
+      in_file("level", "level of the axis; 0 is the study") },
+    { "size", "1", "", [](const LevelRow &row) { return row.axis.sizes[row.level]; },
+      in_file("size", "size of the level: what the axis counts") },
+    { "unknowns", "1", "",
+      [](const LevelRow &row) { return size_of(row.axis.levels[row.level].study).unknowns; },
+      in_file("unknowns", "unknowns of the largest linear system, estimated") }
+  };
+  for (std::size_t i = 0; i < bands.size(); ++i)
+  {
+    const QuantityOfInterest &quantity = bands[i].quantity;
+    fields.add({ quantity.omega ? "tau_at_*" : quantity.key, quantity.unit, "",
+                 [i](const LevelRow &row) { return row.axis.quantities[i].values[row.level]; },
+                 in_file(quantity.name, quantity.name),
+                 with_number(quantity.omega ? to_short_text(*quantity.omega) : "") });
+  }
+  return fields.table(rows, Face::file);
 }
 
 Results convergence_results(const Study &study, const std::vector<RefinementAxis> &axes,
@@ -136,14 +119,21 @@ Results convergence_results(const Study &study, const std::vector<RefinementAxis
   rows.push_back({ "all together", "", spin.band, std::nullopt });
   results.summary = converge_fields().json({ axes, bands });
   results.key_figures = { { "omega_terminal", spin.quantity.value }, { "omega_terminal_band", spin.band } };
-  results.words["answer"] = convergence_answer(spin, axes.front().name, axes.front().quantities[index].order);
+  const std::optional<double> &order = axes.front().quantities[index].order;
+  results.words["answer"] =
+    "Terminal spin " + format::with_band(spin.quantity.value, spin.band) + " rad/s (discretisation only)" +
+    (order ? "; it converges with order " + format::number(*order, ".2f") + " in the " + axes.front().name
+           : "") +
+    ", Richardson value " + format::rounded_to_error(spin.richardson, spin.band) +
+    " rad/s. The band of stemware run differs: its levels are coarser, and it has parts for rings, load "
+    "harmonics and the spring of a hard interface.";
   results.words["rounding"] = spin.quantity.rounding;
   results.add_table("spin_bands", spin_band_table(rows, Face::page));
   add_band_tables(bands, results);
   results.files = { { "summary.json", "everything, for programs" },
                     { "converge.csv", "the values on every level of each axis", level_table(axes, bands) },
                     { "parameters.prm", "the refined study" } };
-  results.console = { { results.words["answer"] }, { "", spin_band_table(rows, Face::console) } };
+  results.console = { results.words["answer"].get<std::string>(), spin_band_table(rows, Face::console) };
   return results;
 }
 

@@ -10,12 +10,6 @@ namespace stemware::pipeline::format
 namespace
 {
 
-/// Returns the place value of the second significant digit of @p value > 0, e.g. 0.01 for 0.27.
-double second_digit(double value)
-{
-  return std::pow(10., std::floor(std::log10(value)) - 1);
-}
-
 int decimals_of(double spread)
 {
   constexpr int of_nothing = 6;
@@ -30,19 +24,9 @@ std::string number(double value, const std::string &digits)
   {
     if (!(value > 0))
       return std::isnan(value) ? missing : "0";
-    const double unit = second_digit(value);
+    const double unit = std::pow(10., std::floor(std::log10(value)) - 1); // of the second digit
     return number(std::ceil(value / unit * (1 - 1e-9)) * unit, ".1e");
   }
-  if (digits == "about")
-  {
-    const double unit = value > 0 ? second_digit(value) : 1;
-    return "about " + number(std::round(value / unit) * unit, ".0f");
-  }
-  if (digits == "short")
-    return number(value, std::abs(value) < 1000 ? ".3g" : ".0f");
-  const auto star = digits.find('*');
-  if (star != std::string::npos)
-    return number(value * std::stod(digits.substr(0, star)), digits.substr(star + 1));
   if (!digits.empty() && digits.back() == '%')
     return number(100 * value, digits.substr(0, digits.size() - 1)) + " %";
   if (!std::isfinite(value))

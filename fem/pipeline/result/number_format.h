@@ -12,13 +12,10 @@ inline constexpr char missing[] = "–";
 
 /// Returns @p value formatted by fmt with @p digits, ".6g"; `missing` if it is not finite. Further formats:
 ///
-///   1e3*.4g   a factor in front
 ///   .1f%      per cent: "25.0 %"
 ///   +.3g      a sign, but "0" for zero
 ///   .2e       a power of ten, but "0" for zero; #.2e also for zero
 ///   band      half-width of an error band, rounded up to two digits: "4.9e-06"
-///   about     an estimated count, to two digits: "about 4400"
-///   short     three digits, without power of ten for large numbers: "0.27", "2110"
 std::string number(double value, const std::string &digits);
 
 /// Returns @p value rounded to two digits of @p spread, its error: "-3.6489" for a spread of 0.0002.

@@ -1,12 +1,12 @@
 #include "fem/pipeline/result/pictures.h"
 
 #include "fem/contact/footprint.h"
+#include "fem/pipeline/result/curves.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/rim_slip.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace stemware::pipeline
 {
@@ -14,21 +14,7 @@ namespace stemware::pipeline
 namespace
 {
 
-using Columns = std::vector<std::pair<std::string, std::vector<double>>>;
-
 constexpr double degree = ring::pi / 180;
-
-/// Returns at most @p max_size of @p values at equal index steps, and the last value.
-std::vector<double> thinned(const std::vector<double> &values, std::size_t max_size = 200)
-{
-  const std::size_t step = std::max<std::size_t>(1, (values.size() + max_size - 1) / max_size);
-  std::vector<double> kept;
-  for (std::size_t i = 0; i + 1 < values.size(); i += step)
-    kept.push_back(values[i]);
-  if (!values.empty())
-    kept.push_back(values.back());
-  return kept;
-}
 
 constexpr double micrometres = 1e6; ///< per metre
 
@@ -63,15 +49,6 @@ Json thousandths(std::vector<double> values)
   return rounded_number(values);
 }
 
-template <typename Rows, typename Value>
-std::vector<double> column_of(const Rows &rows, Value value)
-{
-  std::vector<double> column;
-  for (const auto &row : rows)
-    column.push_back(std::invoke(value, row));
-  return column;
-}
-
 } // namespace
 
 void add_load_lines(const LoadReport &report, Results &results)
@@ -82,28 +59,33 @@ void add_load_lines(const LoadReport &report, Results &results)
   std::vector<fem::AzimuthLoad> lines = report.pointwise;
   lines.push_back({ lines.front().azimuth + 2 * ring::pi, lines.front().density });
   const double mean = report.rings.a(0);
-  results.add_columns(
-    "load_lines", { { "theta", column_of(lines, [](const auto &line) { return line.azimuth / degree; }) },
-                    { "load", column_of(lines, [=](const auto &line) { return line.density / mean; }) } });
+  const auto fields = Fields<fem::AzimuthLoad>{
+    { "theta", "deg", "", [](const auto &line) { return line.azimuth / degree; }, in_picture("theta") },
+    { "load", "1", "", [=](const auto &line) { return line.density / mean; }, in_picture("load") }
+  };
+  results.add_table("load_lines", fields.table(lines, Face::picture), Face::picture);
 }
 
-void add_slip_columns(const std::string &name, const ring::Motion &motion, double radius,
-                      const ring::RingStack &load, double omega, Results &results)
+void add_slip(const std::string &name, const ring::Motion &motion, double radius, const ring::RingStack &load,
+              double omega, Results &results)
 {
-  const std::vector<ring::RimSlip> places = ring::rim_slip(motion, radius, load, omega);
-  results.add_columns(
-    name, { { "theta", column_of(places, [](const ring::RimSlip &place) { return place.azimuth / degree; }) },
-            { "slip_x", column_of(places, &ring::RimSlip::slip_x) },
-            { "slip_y", column_of(places, &ring::RimSlip::slip_y) },
-            { "friction_x", column_of(places, &ring::RimSlip::friction_x) },
-            { "friction_y", column_of(places, &ring::RimSlip::friction_y) },
-            { "torque", column_of(places, torque_of) } });
+  using Place = ring::RimSlip;
+  static const auto fields =
+    Fields<Place>{ { "theta", "deg", "", [](const Place &place) { return place.azimuth / degree; },
+                     in_picture("theta") },
+                   { "slip_x", "1", "", &Place::slip_x, in_picture("slip_x") },
+                   { "slip_y", "1", "", &Place::slip_y, in_picture("slip_y") },
+                   { "friction_x", "1", "", &Place::friction_x, in_picture("friction_x") },
+                   { "friction_y", "1", "", &Place::friction_y, in_picture("friction_y") },
+                   { "torque", "1", "", torque_of, in_picture("torque") } };
+  results.add_table(name, fields.table(ring::rim_slip(motion, radius, load, omega), Face::picture),
+                    Face::picture);
 }
 
-void add_motion(const Study &study, const std::vector<ring::Instant> &instants, Results &results)
+void add_motion(const ring::Motion &motion, double radius, const std::vector<ring::Instant> &instants,
+                Results &results)
 {
   constexpr unsigned int n_places = 48;
-  const ring::Motion &motion = study.motion.orbit;
   const double rate = motion.sense_sign() * motion.orbit_speed / motion.orbit_radius;
   Json &rows = results.tables["motion"] = Json::array();
   for (const ring::Instant &instant : instants)
@@ -112,8 +94,7 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
     std::vector<double> load, friction_x, friction_y, turns;
     for (unsigned int i = 0; i < n_places; ++i)
       load.push_back(std::max(0., state.load(2 * ring::pi * i / n_places) / state.load.a(0)));
-    for (const ring::RimSlip &place :
-         ring::rim_slip(motion, study.glass.profile.contact_radius, state.load, instant.omega))
+    for (const ring::RimSlip &place : ring::rim_slip(motion, radius, state.load, instant.omega))
     {
       friction_x.push_back(place.friction_x);
       friction_y.push_back(place.friction_y);
@@ -134,38 +115,19 @@ void add_motion(const Study &study, const std::vector<ring::Instant> &instants, 
   }
 }
 
-void add_torque_columns(const TorqueCurve &curve, const std::vector<double> &of_paper, Results &results)
+void add_curves(const StudyCurves &curves, const Fields<std::size_t> &torque,
+                const Fields<std::size_t> &spin_up, Results &results)
 {
-  Columns columns = { { "omega", thinned(curve.omega) }, { "all", thinned(friction_torques(curve.all)) } };
-  if (curve.n_first > 0)
-    columns.emplace_back("up_to_" + std::to_string(curve.n_first), thinned(friction_torques(curve.first)));
-  if (!of_paper.empty())
-    columns.emplace_back("paper", thinned(of_paper));
-  results.add_columns("torque", columns);
-}
-
-void add_spin_up_columns(const SpinUpCurves &curves, unsigned int n_first, Results &results)
-{
-  Columns columns = { { "time", thinned(curves.time) }, { "all", thinned(curves.adaptive) } };
-  if (!curves.first_harmonic.empty() && n_first > 0)
-    columns.emplace_back("up_to_" + std::to_string(n_first), thinned(curves.first_harmonic));
-  columns.emplace_back("paper", thinned(curves.paper));
-  results.add_columns("spin_up", columns);
-  if (curves.driven)
-    results.add_columns("driven", { { "time", thinned(curves.driven->time) },
-                                    { "speed", thinned(curves.driven->speed) },
-                                    { "omega", thinned(curves.driven->omega) } });
-}
-
-void add_phase_columns(const PhaseStudy &phases, Results &results)
-{
-  const bool of_glass = phases.n_glass_phases > 1;
-  results.words["marked"] = of_glass ? "glass" : "table";
-  results.add_columns("phases",
-                      { { "theta", column_of(phases.phases, [=](const ring::Orientation &phase)
-                                             { return (of_glass ? phase.glass : phase.table) / degree; }) },
-                        { "at_rest", phases.torque_at_rest },
-                        { "at_terminal", phases.torque_at_terminal } });
+  const auto add = [&](const char *name, const Fields<std::size_t> &columns, std::size_t n_points)
+  {
+    constexpr std::size_t drawn_points = 200;
+    results.add_table(name, columns.table(points_of(n_points, drawn_points), Face::picture), Face::picture);
+  };
+  const SpinUpCurves &up = curves.spin_up;
+  add("torque", torque, curves.torque.omega.size());
+  add("spin_up", spin_up, up.time.size());
+  if (up.driven)
+    add("driven", driven_columns(*up.driven), up.driven->time.size());
 }
 
 Json pressure_map(const fem::PressureMap &footprint, double contact_radius, double largest, double peak,

@@ -10,30 +10,21 @@
 namespace stemware::pipeline
 {
 
-void Results::add_table(const std::string &name, const Table &table)
+void Results::add_table(const std::string &name, const Table &table, Face face)
 {
-  constexpr int n_digits = 10;
+  const bool is_picture = face == Face::picture;
+  const int n_digits = is_picture ? 6 : 10;
   Json &shown = tables[name] = { { "keys", Json::array() }, { "values", Json::array() } };
   for (const auto &[quantity, cells] : table.columns)
   {
-    shown["keys"].push_back(quantity.key);
+    shown["keys"].push_back(is_picture ? quantity.word(face) : quantity.key);
     Json &values = shown["values"].emplace_back(Json::array());
     for (const Json &cell : cells)
       values.push_back(cell.is_number_float() ? rounded_number(cell.get<double>(), n_digits) : cell);
-    quantities[name][quantity.key] = { { "heading", boost::trim_copy(quantity.heading) },
-                                       { "unit", quantity.unit },
-                                       { "digits", quantity.digits } };
-  }
-}
-
-void Results::add_columns(const std::string &name,
-                          const std::vector<std::pair<std::string, std::vector<double>>> &columns)
-{
-  Json &shown = tables[name] = { { "keys", Json::array() }, { "values", Json::array() } };
-  for (const auto &[key, numbers] : columns)
-  {
-    shown["keys"].push_back(key);
-    shown["values"].push_back(rounded_number(numbers));
+    if (!is_picture)
+      quantities[name][quantity.key] = { { "heading", boost::trim_copy(quantity.heading) },
+                                         { "unit", quantity.unit },
+                                         { "digits", quantity.digits } };
   }
 }
 

@@ -3,6 +3,7 @@
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/results.h"
@@ -104,8 +105,9 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
 }
 
 /// Adds the table "foot": pressures, stresses, section and, if known, the rim.
-void add_foot_pictures(const Study &study, const FootReport &foot, const ErrorBands &bands, Results &results)
+void add_foot_pictures(const StudyAnswer &answer, const FootReport &foot, Results &results)
 {
+  const auto &[study, goal, contact, spin, bands] = answer;
   constexpr double share_of_radius = 0.12;
   const double radius = study.glass.profile.contact_radius;
   Json &pictures = results.tables["foot"];
@@ -137,7 +139,7 @@ struct FrictionRow
   double sum = 0;
 };
 
-Table friction_table(const Study &study, const ring::Answer &all)
+Table friction_table(const ring::Motion &motion, const ring::Answer &all)
 {
   static const auto fields = Fields<FrictionRow>{
     { "name", "", "", &FrictionRow::name, on_page(" ") },
@@ -155,7 +157,7 @@ Table friction_table(const Study &study, const ring::Answer &all)
       on_page("T_y") }
   };
   const ring::RingStack &load = all.at_rest.value().load;
-  const double force = study.motion.orbit.friction_at_rest() * load.normal_force();
+  const double force = motion.friction_at_rest() * load.normal_force();
   const double torque = force * load.radius();
   std::vector<FrictionRow> rows = { { "at rest", *all.at_rest, all.at_rest->torque() } };
   if (all.fall)
@@ -173,31 +175,21 @@ Table friction_table(const Study &study, const ring::Answer &all)
   return fields.table(rows, Face::page);
 }
 
-Json key_figures_of(const SpinStudy &spin, const ErrorBands &bands)
-{
-  return { { "tau_at_rest", spin.answer().at_rest.value().friction.torque },
-           { "omega_terminal", spin.answer().omega_terminal() },
-           { "omega_terminal_band", band_of(bands, "omega_terminal") },
-           { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
-           { "harmonic_effect", spin.budget.harmonics.absolute },
-           { "harmonic_effect_relative", spin.budget.harmonics.relative } };
-}
-
-Table shown_chain_table(const Study &study, const std::vector<BudgetRow> &rows, Face face)
+Table shown_chain_table(const StudyAnswer &answer, const std::vector<BudgetRow> &rows, Face face)
 {
   const std::optional<double> band = rows.empty() ? std::nullopt : rows.back().band;
   const auto shown_spin = [band](double omega) -> Json { return format::spin(omega, band); };
-  return chain_fields(study.spin_scale(), shown_spin)
-    .table(shown_chain(rows, study.rounding_of_spins()), face);
+  return chain_fields(answer.study.spin_scale(), shown_spin)
+    .table(shown_chain(rows, answer.study.rounding_of_spins()), face);
 }
 
-Table without_table(const Study &study, const Budget &budget, Face face)
+Table without_table(const StudyAnswer &answer, Face face)
 {
+  const Budget &budget = answer.spin.budget;
   std::vector<WithoutRow> rows = budget.without;
-  if (face != Face::file)
-    for (WithoutRow &row : rows)
-      drop_rounding(row.difference, study.rounding_of_spins());
-  return without_fields(budget.rows.back().omega_terminal, study.spin_scale()).table(rows, face);
+  for (WithoutRow &row : rows)
+    drop_rounding(row.difference, answer.study.rounding_of_spins());
+  return without_fields(budget.rows.back().omega_terminal, answer.study.spin_scale()).table(rows, face);
 }
 
 void add_spin(const StudyAnswer &answer, Results &results)
@@ -205,113 +197,51 @@ void add_spin(const StudyAnswer &answer, Results &results)
   const auto &[study, goal, contact, spin, bands] = answer;
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
-  add_slip_columns("slip_at_rest", motion, radius, contact.load.rings, 0, results);
+  add_slip("slip_at_rest", motion, radius, contact.load.rings, 0, results);
   if (const auto omega = spin.answer().omega_terminal(); omega && study.is_spin(*omega))
-    add_slip_columns("slip_at_end", motion, radius, contact.load_at_end.rings, *omega, results);
-  add_torque_columns(spin.torque, {}, results);
-  add_spin_up_columns(spin.spin_up, 1, results);
+    add_slip("slip_at_end", motion, radius, contact.load_at_end.rings, *omega, results);
+  add_curves(spin, torque_columns(spin.torque), spin_up_columns(spin.spin_up), results);
   if (!spin.spin_up.instants.empty())
-    add_motion(study, spin.spin_up.instants, results);
+    add_motion(motion, radius, spin.spin_up.instants, results);
   if (spin.phases)
-    add_phase_columns(*spin.phases, results);
-  results.add_table("friction", friction_table(study, spin.answer()));
+  {
+    results.words["marked"] = spin.phases->n_glass_phases > 1 ? "glass" : "table";
+    results.add_table("phases",
+                      phase_columns(*spin.phases).table(points_of(spin.phases->phases.size()), Face::picture),
+                      Face::picture);
+  }
+  results.add_table("friction", friction_table(motion, spin.answer()));
   add_truncations(answer, results);
 }
 
 void add_budget(const StudyAnswer &answer, Results &results)
 {
-  const Study &study = answer.study;
   const Budget &budget = answer.spin.budget;
   const std::vector<BudgetRow> &rows = budget.rows;
-  results.add_table("chain", shown_chain_table(study, rows, Face::page));
-  results.add_table("chain_torques",
-                    chain_torque_fields().table(shown_chain(rows, study.rounding_of_spins()), Face::page));
+  results.add_table("chain", shown_chain_table(answer, rows, Face::page));
+  results.add_table("chain_torques", chain_torque_fields().table(
+                                       shown_chain(rows, answer.study.rounding_of_spins()), Face::page));
   results.tables["waterfall"] = chain_fields().json(named_steps(rows));
   if (!budget.without.empty())
-    results.add_table("without", without_table(study, budget, Face::page));
+    results.add_table("without", without_table(answer, Face::page));
 }
 
-void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
+std::vector<std::variant<std::string, Table>> console_of(const StudyAnswer &answer, const Json &words)
 {
-  files.push_back({ "footprint.csv", "pressure p(r, θ) of the foot on the table at rest",
-                    footprint_table(foot.footprint) });
-  if (foot.footprint_at_end && has_terminal_spin)
-    files.push_back(
-      { "footprint_at_end.csv", "the same at the terminal spin", footprint_table(*foot.footprint_at_end) });
-  files.push_back(
-    { "contact_history.csv", "Newton steps of the contact", history_table(foot.at_rest.history) });
-  const auto add = [&](const std::string &name, const char *state)
-  {
-    files.push_back({ "fields/" + name, "displacement, strain, stress and contact pressure " +
-                                          std::string(state) + ", for ParaView" });
-  };
-  for (const fem::FieldFile &file : foot.fields)
-  {
-    if (file.name == "contact.vtu" || file.name == "contact.pvtu") // pieces of contact.pvtu are not listed
-      add(file.name, "at rest");
-    if (file.name.find("_at_terminal_spin") != std::string::npos)
-      add(file.name, "at the terminal spin");
-  }
-}
-
-std::vector<ResultFile> files_of(const StudyAnswer &answer)
-{
-  const auto &[study, goal, contact, spin, bands] = answer;
-  const ring::RingStack &rings = contact.load.rings;
-  std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
-                                    { "parameters.prm", "the study as input file" },
-                                    { "load.csv", "λ(θ) at rest", load_table(rings) },
-                                    { "harmonics.dat", "its Fourier coefficients, readable by Load/File",
-                                      load_file_text(rings) },
-                                    { "rings.csv", "the same ring by ring", ring_table(rings) } };
-  const auto add = [&](const char *name, const char *words, const Table &table) {
-    files.push_back({ name, words, table });
-  };
-  if (!spin.is_quick())
-  {
-    add("budget.csv", "the terminal spin from the paper's model to this study's",
-        chain_fields().table(spin.budget.rows, Face::file));
-    add("without.csv", "the complete model without one effect at a time",
-        without_table(study, spin.budget, Face::file));
-  }
-  add("torque.csv", "τ_z, T_x, T_y against the spin", torque_table(spin.torque));
-  add("spin_up.csv", "the spin against time", spin_up_table(spin.spin_up));
-  add("truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-      truncation_fields().table(truncations_of(answer), Face::file));
-  if (spin.spin_up.driven)
-    add("driven_spin_up.csv", "the spin against time under the speeds of the file",
-        driven_spin_table(*spin.spin_up.driven));
-  if (spin.phases)
-    add("phases.csv", "τ_z by the orientation of glass and table", phase_table(*spin.phases));
-  if (study.load.is_from_contact())
-  {
-    add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
-        pointwise_table(contact.load.pointwise));
-    if (contact.foot)
-      add_foot_files(*contact.foot, spin.answer().terminal.has_value(), files);
-  }
-  files.push_back({ "timings.json", "how long it took" });
-  return files;
-}
-
-std::vector<ConsoleBlock> console_of(const StudyAnswer &answer, const Json &words)
-{
-  const Study &study = answer.study;
   const Budget &budget = answer.spin.budget;
   std::string text;
   for (const char *part :
        { "answer", "lift_off", "pressed", "narrow_contact", "thin_layer", "out_of_flat", "several_spins" })
     append(text, words[part]);
-  std::vector<ConsoleBlock> blocks = { { text } };
-  if (!answer.spin.is_quick())
-  {
-    blocks.push_back({ "From the paper's model to this study's:",
-                       shown_chain_table(study, named_steps(budget.rows), Face::console) });
-    if (!budget.without.empty())
-      blocks.push_back(
-        { "The complete model without one effect at a time:", without_table(study, budget, Face::console) });
-  }
-  return blocks;
+  if (answer.spin.is_quick())
+    return { text };
+  std::vector<std::variant<std::string, Table>> parts = { text, "From the paper's model to this study's:",
+                                                          shown_chain_table(answer, named_steps(budget.rows),
+                                                                            Face::console) };
+  if (!budget.without.empty())
+    parts.insert(parts.end(), { "The complete model without one effect at a time:",
+                                without_table(answer, Face::console) });
+  return parts;
 }
 
 } // namespace
@@ -326,7 +256,12 @@ Results run_results(const StudyAnswer &answer)
   const auto &[study, goal, contact, spin, bands] = answer;
   Results results = begun_results(study, "how fast it spins");
   results.summary = run_fields().json(answer);
-  results.key_figures = key_figures_of(spin, bands);
+  results.key_figures = { { "tau_at_rest", spin.answer().at_rest.value().friction.torque },
+                          { "omega_terminal", spin.answer().omega_terminal() },
+                          { "omega_terminal_band", band_of(bands, "omega_terminal") },
+                          { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
+                          { "harmonic_effect", spin.budget.harmonics.absolute },
+                          { "harmonic_effect_relative", spin.budget.harmonics.relative } };
   results.words.update(run_words(answer));
   add_spin(answer, results);
   if (!spin.is_quick())
@@ -334,12 +269,12 @@ Results run_results(const StudyAnswer &answer)
   add_load_lines(contact.load, results);
   if (contact.foot)
   {
-    add_foot_pictures(study, *contact.foot, bands, results);
+    add_foot_pictures(answer, *contact.foot, results);
     results.add_table("contact", as_list(contact_list(*contact.foot)));
   }
   if (!bands.empty())
     add_band_tables(bands, results);
-  results.files = files_of(answer);
+  results.files = run_files(answer);
   results.console = console_of(answer, results.words);
   return results;
 }

@@ -158,12 +158,6 @@ const Fields<FootReport> &contact_fields()
   return fields;
 }
 
-/// Returns M_Nx of the load at rest [N m]; the mean over the phases if rim or table are wavy.
-double moment_at_rest(const StudyAnswer &run)
-{
-  return run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
-}
-
 const Fields<StudyAnswer> &ring_fields()
 {
   static const auto fields = Fields<StudyAnswer>{
@@ -171,7 +165,11 @@ const Fields<StudyAnswer> &ring_fields()
       "μ M_N,x, the exact value of tau_at_rest; M_N is the mean over the phases with waviness, where "
       "load.moment is that of t = 0.",
       [](const StudyAnswer &run)
-      { return run.study.motion.orbit.friction_at_rest() * moment_at_rest(run); } },
+      {
+        const double moment =
+          run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
+        return run.study.motion.orbit.friction_at_rest() * moment;
+      } },
     { "standing", "", "Status at the terminal spin.",
       [](const StudyAnswer &run) { return to_string(status_of(run.contact, run.spin)); },
       of_type(
@@ -325,8 +323,7 @@ const Fields<StudyAnswer> &run_fields()
     { "one_ring", "The answer with all harmonics on one ring; null in a quick run.", one_ring_fields,
       [](const StudyAnswer &run) { return run.spin.one_ring; } },
     { "error_bands", "Error bands by quantity; null in a quick run and if none could be estimated.",
-      band_fields(false), [](const StudyAnswer &run) { return if_applies(!run.bands.empty(), run.bands); },
-      ByKey{ key_of_band } },
+      band_fields(false), [](const StudyAnswer &run) { return if_applies(!run.bands.empty(), run.bands); } },
     { "profile", "Results for Glass/Shape = profile.", profile_fields(),
       [](const StudyAnswer &run)
       { return if_applies(run.study.glass.profile.section != nullptr, run.study.glass); },

@@ -37,18 +37,6 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   return text;
 }
 
-/// Returns the row with the largest change of the spin, except rows of harmonics; nullptr if all changes are
-/// below rounding.
-const BudgetRow *largest_other_step(const StudyAnswer &run)
-{
-  const BudgetRow *largest = nullptr;
-  for (const BudgetRow &row : run.spin.budget.rows)
-    if (row.name != "harmonics" && row.difference && run.study.is_spin(*row.difference) &&
-        (!largest || std::abs(*row.difference) > std::abs(*largest->difference)))
-      largest = &row;
-  return largest;
-}
-
 /// Returns the terminal spin of the paper's model, unless the study itself uses the paper's model.
 std::optional<double> paper_spin(const Budget &budget)
 {
@@ -66,19 +54,15 @@ std::string paper_sentence(const StudyAnswer &run)
          number(seconds_a_turn(*omega), "#.3g") + " s.";
 }
 
-std::string resting_answer(const Study &study, const ring::Answer &all)
-{
-  if (const std::string held = grip_holds_note(study.motion.grip_torque, all); !held.empty())
-    return held;
-  std::string text = "The glass does not spin up.";
-  if (all.terminal && !all.terminal->stable)
-    append(text, "Rest is an unstable balance: any disturbance takes the glass to another terminal spin.");
-  return text;
-}
-
+/// Describes the row with the largest change of the spin, except rows of harmonics and changes below
+/// rounding.
 std::string largest_step_sentence(const StudyAnswer &run)
 {
-  const BudgetRow *row = largest_other_step(run);
+  const BudgetRow *row = nullptr;
+  for (const BudgetRow &each : run.spin.budget.rows)
+    if (each.name != "harmonics" && each.difference && run.study.is_spin(*each.difference) &&
+        (!row || std::abs(*each.difference) > std::abs(*row->difference)))
+      row = &each;
   if (!row)
     return "";
   const std::optional<double> relative =
@@ -100,9 +84,9 @@ std::string inputs_sentence(const Budget &budget)
   return changes.empty() ? "" : changes + ".";
 }
 
-std::string missing_band_sentence(const Study &study)
+std::string missing_band_sentence(const TableSection &table, BodyKind body)
 {
-  const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
+  const bool may_be_narrow = table.is_hard() && !abilities(body).is_of_revolution;
   return std::string(
            "No error band: the contact failed on one of the coarser, finer or stiffer models that the "
            "band compares") +
@@ -122,7 +106,7 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
            (band ? " (± " + number(*band, "band") + " rad/s by discretisation)" : "") +
            (paper && study.is_spin(*paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
   if (!band && !spin.is_quick() && study.load.is_from_contact())
-    append(text, missing_band_sentence(study));
+    append(text, missing_band_sentence(study.table, study.contact.body));
   if (spin.rows.size() > 1)
   {
     append(text, torque_effect_sentence(spin.torque_effects));
@@ -167,8 +151,14 @@ std::string answer_of(const StudyAnswer &run)
   }
   else if (const double omega = all.omega_terminal().value(); study.is_spin(omega))
     append(text, spinning_answer(run, omega));
+  else if (const std::string held = grip_holds_note(study.motion.grip_torque, all); !held.empty())
+    append(text, held);
   else
-    append(text, resting_answer(study, all));
+  {
+    append(text, "The glass does not spin up.");
+    if (all.terminal && !all.terminal->stable)
+      append(text, "Rest is an unstable balance: any disturbance takes the glass to another terminal spin.");
+  }
   constexpr double large_curve_error = 1e-3;
   if (const double error = spin.curve_error.value_or(0); error > large_curve_error)
     append(text, "Curves are interpolated between solved spins; their load is off by about " +
@@ -181,7 +171,7 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
   constexpr double rounding = 1e-9; // rounding of numbers in a file [m]
   if (!circle || circle->rms_distance <= rounding)
     return "";
-  return "The points of the profile are " + number(circle->rms_distance, "1e6*.2g") +
+  return "The points of the profile are " + number(1e6 * circle->rms_distance, ".2g") +
          " µm rms from the circle of its rim. No band contains this scatter; docs/cookbooks/own_profile.md "
          "shows how to compute its effect on the spin.";
 }
@@ -233,8 +223,8 @@ std::string thin_layer_remark(const TableSection &table, double half_width)
   const double layer = table.layer_thickness;
   if (table.interface != TableInterface::winkler || !(layer > 0) || !(half_width > 0) || half_width >= layer)
     return "";
-  return "Note: the contact is " + number(2 * half_width, "1e3*.2g") +
-         " mm wide; its half-width is less than the " + number(layer, "1e3*.3g") +
+  return "Note: the contact is " + number(1e3 * 2 * half_width, ".2g") +
+         " mm wide; its half-width is less than the " + number(1e3 * layer, ".3g") +
          " mm of the layer (Table/Layer thickness). A Winkler interface represents a layer only if the "
          "contact is much wider than the layer is thick; use an elastic disc (Table/Substrate = elastic).";
 }

@@ -1,6 +1,5 @@
-#include "fem/pipeline/result/schema.h"
-
 #include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/verb_results.h"
 
 namespace stemware::pipeline
@@ -22,16 +21,31 @@ Json columns_of(const Table &table)
   return columns;
 }
 
-/// Returns error bands of all quantities that converge.csv may contain.
-ErrorBands all_bands()
+/// Returns the files of an answer that has all columns.
+std::vector<ResultFile> example_files()
 {
+  StudyAnswer example;
+  example.contact.load.rings = ring::RingStack({ { 1, { 1 }, { 0 } }, { 2, { 1 }, { 0 } } });
+  example.contact.foot = FootReport();
+  example.contact.foot->footprint_at_end = fem::PressureMap();
+  SpinStudy &spin = example.spin;
+  spin.rows.emplace_back().terminal = ring::TerminalSpin();
+  spin.budget.rows.emplace_back();
+  spin.torque.n_first = 1;
+  spin.spin_up.driven = DrivenSpinUp();
+  spin.phases = PhaseStudy();
+  spin.torque_effects.rows.emplace_back();
+  std::vector<ResultFile> files = run_files(example);
+  files.push_back(
+    { "torque_changes.csv", "", torque_change_columns(spin.torque_effects).table({}, Face::file) });
   LoadReport load;
   load.azimuth_fraction = load.peak_pressure = load.contact_width = 1;
   ErrorBands bands;
   for (const QuantityOfInterest &quantity :
        quantities_of_interest({}, load, Eigen::Vector3d::Zero(), { 0, spins_of_interest(1), { 0, 0 } }))
     bands.push_back({ quantity });
-  return bands;
+  files.push_back({ "converge.csv", "", level_table({}, bands) });
+  return files;
 }
 
 Json sweep_file_columns()
@@ -54,27 +68,12 @@ Json sweep_file_columns()
 
 Json files()
 {
-  TorqueCurve torque;
-  torque.n_first = 1;
-  ring::TorqueEffects effects;
-  effects.rows = { ring::TorqueEffect() };
-  return { { "load.csv",
-             columns_of(load_table(ring::RingStack({ { 1, { 1 }, { 0 } }, { 2, { 1 }, { 0 } } }))) },
-           { "rings.csv", columns_of(ring_table(LoadReport().rings)) },
-           { "load_lines.csv", columns_of(pointwise_table({})) },
-           { "footprint.csv", columns_of(footprint_table({})) },
-           { "footprint_at_end.csv", columns_of(footprint_table({})) },
-           { "torque.csv", columns_of(torque_table(torque)) },
-           { "spin_up.csv", columns_of(spin_up_table({})) },
-           { "driven_spin_up.csv", columns_of(driven_spin_table({})) },
-           { "phases.csv", columns_of(phase_table({})) },
-           { "contact_history.csv", columns_of(history_table({})) },
-           { "budget.csv", columns_of(chain_fields().table({}, Face::file)) },
-           { "without.csv", columns_of(without_fields().table({}, Face::file)) },
-           { "truncation.csv", columns_of(truncation_fields().table({}, Face::file)) },
-           { "torque_changes.csv", columns_of(torque_change_table(effects)) },
-           { "converge.csv", columns_of(level_table({}, all_bands())) },
-           { "sweep.csv", sweep_file_columns() } };
+  Json columns = Json::object();
+  for (const ResultFile &file : example_files())
+    if (const Table *table = std::get_if<Table>(&file.content))
+      columns[file.name] = columns_of(*table);
+  columns["sweep.csv"] = sweep_file_columns();
+  return columns;
 }
 
 Json schema()
@@ -136,6 +135,10 @@ std::string summary_schema()
 
 std::string unit_in_summary(const std::string &part, const std::string &key)
 {
+  if (part == "sweep.csv")
+    for (const Quantity &quantity : sweep_columns())
+      if (quantity.key == key)
+        return quantity.unit;
   const Json properties = run_schema()["properties"];
   if (!properties.contains(part))
     return "";

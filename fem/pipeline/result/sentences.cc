@@ -25,42 +25,35 @@ std::string size_of(const std::string &words)
   return words;
 }
 
-std::map<std::string, std::string> values_in_words(const Study &study)
-{
-  std::map<std::string, std::string> words;
-  for (const StudyEntry &entry : entries_of(study))
-    words[entry.path()] = in_usual_unit(study, entry);
-  return words;
-}
+/// Values of the entries in words, by path.
+using Given = std::map<std::string, std::string>;
 
 /// Returns the end of a sentence about the table, e.g. "on a mat of 1 GPa/m".
-std::string on_table(const Study &study, const std::map<std::string, std::string> &given)
+std::string on_table(const LoadSection &load, const TableSection &table, const Given &given)
 {
-  if (!study.load.is_from_contact())
-    return study.load.source == LoadSource::file ? "with a load from a file" : "with a first-harmonic load";
-  const bool disc = study.table.substrate == TableSubstrate::elastic;
+  if (!load.is_from_contact())
+    return load.source == LoadSource::file ? "with a load from a file" : "with a first-harmonic load";
+  const bool disc = table.substrate == TableSubstrate::elastic;
   const std::string rigid = disc ? "" : "rigid table";
-  std::string text = study.table.interface == TableInterface::winkler
+  std::string text = table.interface == TableInterface::winkler
                        ? "on a mat of " + given.at("Table/Foundation modulus") + (disc ? " on" : "")
-                     : study.table.interface == TableInterface::rough ? "on a rough " + rigid
-                                                                      : "on a smooth " + rigid;
+                     : table.interface == TableInterface::rough ? "on a rough " + rigid
+                                                                : "on a smooth " + rigid;
   if (disc)
     text += std::string(text.back() == ' ' ? "" : " ") + "disc of " + given.at("Table/Disc Young modulus") +
             ", " + given.at("Table/Disc thickness") + " thick";
   return text;
 }
 
-std::string table_of_sketch(const Study &study, const std::map<std::string, std::string> &given)
+std::string table_of_sketch(const LoadSection &load, const TableSection &table, const Given &given)
 {
-  if (!study.load.is_from_contact())
+  if (!load.is_from_contact())
     return "table";
-  const bool mat = study.table.interface == TableInterface::winkler;
+  const bool mat = table.interface == TableInterface::winkler;
   std::string text = mat ? "mat, " + given.at("Table/Foundation modulus") : "";
-  if (study.table.substrate == TableSubstrate::elastic)
+  if (table.substrate == TableSubstrate::elastic)
     return text + (mat ? " on " : "") + "disc, " + given.at("Table/Disc Young modulus");
-  return mat                                              ? text
-         : study.table.interface == TableInterface::rough ? "rough, rigid table"
-                                                          : "smooth, rigid table";
+  return mat ? text : table.interface == TableInterface::rough ? "rough, rigid table" : "smooth, rigid table";
 }
 
 /// Returns the value of @p entry as text. Numbers are rounded to ten digits; fewer digits could hide a change
@@ -72,9 +65,20 @@ std::string value_of(const StudyEntry &entry)
   return number && std::isfinite(*number) ? to_text(rounded(*number, 10)) : text.empty() ? "(none)" : text;
 }
 
-std::string inputs_of(const Study &study)
+/// Returns the value of an entry as given with a unit, "300 g", else in the unit of the shortest text.
+std::string value_in_words(const StudyEntry &entry, const Given &texts)
 {
-  const auto given = values_in_words(study);
+  if (!entry.quantity)
+    return entry.text();
+  const auto given = texts.find(entry.path());
+  if (given != texts.end() && !trailing_unit(given->second).empty() &&
+      parse_quantity(given->second, entry.unit) == *entry.quantity) // not changed since it was given
+    return given->second;
+  return in_usual_unit(*entry.quantity, entry.unit);
+}
+
+std::string inputs_of(const Study &study, const Given &given)
+{
   const std::string &offset = given.at("Motion/Force offset");
   const double height = study.motion.orbit.force_offset;
   const bool by_offset = study.given_entries.count("Motion/Force offset") > 0;
@@ -88,15 +92,13 @@ std::string inputs_of(const Study &study)
           : height < 0 ? size_of(offset) + " below the centre of mass"
           : height > 0 ? offset + " above the centre of mass"
                        : "at the height of the centre of mass") +
-         ", μ " + given.at("Motion/Friction coefficient") + ", " + on_table(study, given) +
+         ", μ " + given.at("Motion/Friction coefficient") + ", " + on_table(study.load, study.table, given) +
          (study.load.is_static() ? ", its moment ratio given as " + given.at("Load/Moment ratio") : "") +
          (study.motion.grip_torque > 0 ? ", gripped with " + given.at("Motion/Grip torque") : "") + ".";
 }
 
-Json sketch_labels(const Study &study)
+Json sketch_labels(const ring::Motion &motion, const std::string &table, const Given &given)
 {
-  const ring::Motion &motion = study.motion.orbit;
-  const auto given = values_in_words(study);
   // Force of the hand on a sliding glass without spin: F = m a - T(0), where T is the friction force.
   const double along = motion.total_mass() * motion.acceleration().x() +
                        motion.friction_at_rest() * motion.normal_force(),
@@ -108,7 +110,7 @@ Json sketch_labels(const Study &study)
            { "offset", size_of(given.at("Motion/Force offset")) },
            { "friction", given.at("Motion/Friction coefficient") },
            { "radius", given.at("Glass/Contact radius") },
-           { "table", table_of_sketch(study, given) },
+           { "table", table },
            { "clockwise", motion.sense_sign() < 0 },
            { "hand", motion.force_offset < 0   ? -1
                      : motion.force_offset > 0 ? 1
@@ -137,25 +139,18 @@ std::string in_usual_unit(double value, const std::string &unit)
   return best;
 }
 
-std::string in_usual_unit(const Study &study, const StudyEntry &entry)
-{
-  if (!entry.quantity)
-    return entry.text();
-  const auto given = study.given_entries.find(entry.path());
-  if (given != study.given_entries.end() && !trailing_unit(given->second).empty() &&
-      parse_quantity(given->second, entry.unit) == *entry.quantity) // not changed since it was given
-    return given->second;
-  return in_usual_unit(*entry.quantity, entry.unit);
-}
-
 Results begun_results(const Study &study, const std::string &what)
 {
+  const std::vector<StudyEntry> entries = entries_of(study), &defaults = default_entries();
+  Given given;
+  for (const StudyEntry &entry : entries)
+    given[entry.path()] = value_in_words(entry, study.given_entries);
   Results results = { study };
   results.words = { { "title", (study.name == "default" ? "The default glass" : study.name) + ": " + what },
-                    { "inputs", inputs_of(study) },
+                    { "inputs", inputs_of(study, given) },
                     { "one_way", study.load.is_one_way() },
-                    { "sketch", sketch_labels(study) } };
-  const std::vector<StudyEntry> entries = entries_of(study), &defaults = default_entries();
+                    { "sketch", sketch_labels(study.motion.orbit,
+                                              table_of_sketch(study.load, study.table, given), given) } };
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     const std::string value = value_of(entries[i]), by_default = value_of(defaults[i]);

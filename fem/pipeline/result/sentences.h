@@ -12,13 +12,8 @@
 namespace stemware::pipeline
 {
 
-struct StudyEntry;
-
 /// Returns a number with that common unit of the dimension @p unit that gives the shortest text: "300 g".
 std::string in_usual_unit(double value, const std::string &unit);
-
-/// Returns the value of an entry as given with a unit, "300 g", else in the unit of the shortest text.
-std::string in_usual_unit(const Study &study, const StudyEntry &entry);
 
 /// Returns results with title (name of the study and @p what), inputs, sketch and entries.
 Results begun_results(const Study &study, const std::string &what);

@@ -70,10 +70,10 @@ Table range_table(const std::vector<QuantityRange> &ranges, Face face)
   return fields.table(ranges, face);
 }
 
-std::size_t n_failed_of(const FinishedCases &finished)
+std::size_t n_with_status(const FinishedCases &finished, const std::string &status)
 {
   return static_cast<std::size_t>(std::count_if(
-    finished.begin(), finished.end(), [](const auto &one) { return one.second.status == "failed"; }));
+    finished.begin(), finished.end(), [&](const auto &one) { return one.second.status == status; }));
 }
 
 Table varied_table(const CaseList &list)
@@ -158,11 +158,6 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
   return grid;
 }
 
-Json ends_of(const QuantityRange *range)
-{
-  return range ? Json{ range->min, range->max } : Json(nullptr);
-}
-
 std::string answer_of(const CaseList &list, const FinishedCases &finished,
                       const std::vector<QuantityRange> &ranges)
 {
@@ -178,8 +173,7 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
         finished.begin(), finished.end(),
         [](const auto &one) { return one.second.status == "tips" && one.second.values.empty(); }))
     append(text, "In " + std::to_string(n_at_rest) + of_cases + "the glass tips before it spins.");
-  if (const auto n_formal = std::count_if(finished.begin(), finished.end(),
-                                          [](const auto &one) { return one.second.status == "formal"; }))
+  if (const std::size_t n_formal = n_with_status(finished, "formal"))
     append(text, "In " + std::to_string(n_formal) + of_cases +
                    "the load is negative somewhere (tensile, not physical): their status is formal, and the "
                    "ranges leave them out.");
@@ -202,7 +196,7 @@ std::string answer_of(const CaseList &list, const FinishedCases &finished,
     else if (largest != 0) // the effect is the same in all cases
       append(text, harmonic_effect_sentence(list.base, { effect->max, std::nullopt }));
   }
-  if (const std::size_t n_failed = n_failed_of(finished))
+  if (const std::size_t n_failed = n_with_status(finished, "failed"))
     append(text, std::to_string(n_failed) + " of " + std::to_string(finished.size()) +
                    " cases failed; sweep.csv gives the reasons in the column message.");
   return text;
@@ -241,15 +235,20 @@ Json sweep_schema()
 
 Results sweep_results(const CaseList &list, const FinishedCases &finished)
 {
-  const std::size_t n_failed = n_failed_of(finished);
+  const std::size_t n_failed = n_with_status(finished, "failed");
   const std::vector<QuantityRange> ranges = ranges_of(list, finished);
   Results results = begun_results(list.base, "its spin in " + std::to_string(list.cases.size()) + " cases");
   results.summary = sweep_fields().json({ list, finished.size(), n_failed });
+  const auto ends_of = [&](const char *key)
+  {
+    const QuantityRange *range = range_of(ranges, key);
+    return range ? Json{ range->min, range->max } : Json(nullptr);
+  };
   results.key_figures = { { "cases", list.cases.size() },
                           { "finished", finished.size() },
                           { "failed", n_failed },
-                          { "omega_terminal", ends_of(range_of(ranges, "omega_terminal")) },
-                          { "harmonic_effect", ends_of(range_of(ranges, "harmonic_effect")) } };
+                          { "omega_terminal", ends_of("omega_terminal") },
+                          { "harmonic_effect", ends_of("harmonic_effect") } };
   results.words["answer"] = answer_of(list, finished, ranges);
   results.add_table("varied", varied_table(list));
   results.add_table("ranges", range_table(ranges, Face::page));
@@ -261,7 +260,7 @@ Results sweep_results(const CaseList &list, const FinishedCases &finished)
                     { "summary.json", "numbers of cases" },
                     { "parameters.prm", "the study that the cases modify" },
                     { "timings.json", "how long it took" } };
-  results.console = { { results.words["answer"], range_table(ranges, Face::console) } };
+  results.console = { results.words["answer"].get<std::string>(), range_table(ranges, Face::console) };
   return results;
 }
 

@@ -5,7 +5,6 @@
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/results.h"
 
-#include <boost/algorithm/string/replace.hpp>
 #include <boost/algorithm/string/trim.hpp>
 
 #include <algorithm>
@@ -20,11 +19,6 @@ namespace
 {
 
 constexpr std::size_t margin = 2; ///< number of blanks before each column
-
-std::string name_of(const Quantity &quantity)
-{
-  return boost::replace_all_copy(quantity.name, "*", quantity.number);
-}
 
 std::vector<std::string> header_of(const Quantity &quantity)
 {
@@ -152,13 +146,9 @@ std::string console_table(const Table &table)
 std::string console_text(const Results &results)
 {
   std::string text;
-  for (const ConsoleBlock &block : results.console)
-  {
-    if (!block.text.empty())
-      text += '\n' + wrapped_lines(block.text);
-    if (block.table)
-      text += '\n' + console_table(*block.table);
-  }
+  for (const auto &part : results.console)
+    text += '\n' + (std::holds_alternative<Table>(part) ? console_table(std::get<Table>(part))
+                                                        : wrapped_lines(std::get<std::string>(part)));
   return text + '\n';
 }
 
@@ -168,7 +158,7 @@ std::string data_table(const Table &table)
   for (std::size_t c = 0; c < table.columns.size(); ++c)
   {
     const Quantity &quantity = table.columns[c].quantity;
-    text += fmt::format(FMT_STRING("# {}: {} ({})\n"), c + 1, name_of(quantity), quantity.unit);
+    text += fmt::format(FMT_STRING("# {}: {} ({})\n"), c + 1, quantity.word(Face::file), quantity.unit);
   }
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     for (std::size_t c = 0; c < table.columns.size(); ++c)
@@ -183,7 +173,7 @@ std::string csv_table(const Table &table)
   const auto add = [&](std::size_t c, const std::string &field)
   { text += csv_field(field) + (c + 1 < table.columns.size() ? "," : "\r\n"); };
   for (std::size_t c = 0; c < table.columns.size(); ++c)
-    add(c, with_unit(name_of(table.columns[c].quantity), table.columns[c].quantity.unit));
+    add(c, with_unit(table.columns[c].quantity.word(Face::file), table.columns[c].quantity.unit));
   for (std::size_t row = 0; row < table.n_rows(); ++row)
     for (std::size_t c = 0; c < table.columns.size(); ++c)
       add(c, exact(table.columns[c].cells.at(row), ""));

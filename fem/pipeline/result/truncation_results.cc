@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/study_rows.h"
 #include "fem/pipeline/result/common_sections.h"
+#include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/number_format.h"
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/sentences.h"
@@ -33,8 +34,8 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 /// its value.
 std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
-  const Study &study = answer.study;
-  const std::vector<ring::Answer> &rows = answer.spin.rows;
+  const auto &[study, goal, contact, spin, bands] = answer;
+  const std::vector<ring::Answer> &rows = spin.rows;
   const ring::Answer &all = rows.back();
   const std::optional<double> first = rows.front().omega_terminal();
   if (all.fall)
@@ -60,8 +61,8 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
                   std::to_string(all.harmonics) + " harmonics of its load, " +
                   (first ? "to " + format::spin(*first) + " rad/s with the first harmonic only."
                          : "and has no terminal spin with the first harmonic only."));
-  append(text, torque_effect_sentence(answer.spin.torque_effects));
-  append(text, harmonic_effect_sentence(study, answer.spin.budget.harmonics));
+  append(text, torque_effect_sentence(spin.torque_effects));
+  append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
   append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
   return text;
 }
@@ -102,16 +103,17 @@ Results truncation_results(const StudyAnswer &answer)
                     { "truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
                       truncation_fields().table(truncations, Face::file) },
                     { "torque_changes.csv", "effect of the harmonics 2 ... n on τ_z against the spin",
-                      torque_change_table(spin.torque_effects) },
+                      torque_change_columns(spin.torque_effects)
+                        .table(points_of(spin.torque_effects.spins.size()), Face::file) },
                     { "timings.json", "how long it took" } };
-  results.console = { { results.words["answer"] },
-                      { "The harmonics 2 ... n and tau_z: one load, the complete study's, cut after n. Rest: "
-                        "all minus n. In per "
-                        "cent of |tau_z| at rest. " +
-                          std::string(study.load.is_one_way()
-                                        ? "The spins are those of the load at rest, cut after n."
-                                        : "Each terminal spin is a balance of its own."),
-                        truncation_fields().table(shown_truncations(truncations), Face::console) } };
+  results.console = { results.words["answer"].get<std::string>(),
+                      "The harmonics 2 ... n and tau_z: one load, the complete study's, cut after n. Rest: "
+                      "all minus n. In per "
+                      "cent of |tau_z| at rest. " +
+                        std::string(study.load.is_one_way()
+                                      ? "The spins are those of the load at rest, cut after n."
+                                      : "Each terminal spin is a balance of its own."),
+                      truncation_fields().table(shown_truncations(truncations), Face::console) };
   return results;
 }
 

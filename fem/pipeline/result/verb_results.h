@@ -7,6 +7,7 @@
 #include "fem/pipeline/result/results.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 /// Results of the verbs, and the JSON Schemas of their summaries.
@@ -36,5 +37,13 @@ Table level_table(const std::vector<RefinementAxis> &axes, const ErrorBands &ban
 /// or maps of a grid. Cases that are not @p finished are left out.
 Results sweep_results(const CaseList &list, const FinishedCases &finished);
 Json sweep_schema();
+
+/// Returns summary.schema.json: the JSON Schema of the summaries of all verbs, and under "definitions/files"
+/// key, heading without unit (name), unit and description (label) of the columns of data files.
+std::string summary_schema();
+
+/// Returns the unit of @p key in @p part of the summary, or in its entries if it is a list, or in
+/// "sweep.csv"; empty for words.
+std::string unit_in_summary(const std::string &part, const std::string &key);
 
 } // namespace stemware::pipeline

@@ -1,5 +1,5 @@
 // Program `stemware_schema FILE`: writes the JSON schema of summary.json to FILE.
-#include "fem/pipeline/result/schema.h"
+#include "fem/pipeline/result/verb_results.h"
 
 #include <fstream>
 

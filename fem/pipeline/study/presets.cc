@@ -46,8 +46,8 @@ Preset preset_in(const std::string &text)
 std::vector<Preset> presets_in(const CompiledTexts &texts)
 {
   std::vector<Preset> presets;
-  for (const CompiledText &file : texts)
-    presets.push_back(preset_in(file.text));
+  for (const auto &[file, text] : texts)
+    presets.push_back(preset_in(text));
   return presets;
 }
 

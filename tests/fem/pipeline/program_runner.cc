@@ -1,6 +1,6 @@
 #include "tests/fem/pipeline/program_runner.h"
 
-#include "fem/pipeline/result/schema.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/csv_table.h"
 
 #include <gtest/gtest.h>

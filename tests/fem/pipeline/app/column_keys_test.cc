@@ -1,4 +1,4 @@
-#include "fem/pipeline/result/schema.h"
+#include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/csv_table.h"
 #include "tests/fem/pipeline/program_runner.h"
 

@@ -1,8 +1,8 @@
 // Command-line program that tests the page's solver. Assigns each argument, e.g. "Motion/Mass=0.25", to the
 // default study. Prints the answer or the error as JSON.
 #include "fem/pipeline/page/explore_api.h"
+#include "fem/pipeline/page/explore_page.h"
 #include "fem/pipeline/page/explorer.h"
-#include "fem/pipeline/page/live_bodies.h"
 #include "fem/revolution/compliance_cache.h"
 
 #include <cstdio>

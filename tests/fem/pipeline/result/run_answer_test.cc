@@ -158,7 +158,8 @@ TEST(Remarks, WarnOnlyIfASoftLayerIsThickerThanTheContactIsWide)
   {
     run.contact.load.inner_radius = 0.03 - half_width;
     run.contact.load.outer_radius = 0.03 + half_width;
-    return run.results().console.front().text.find("(Table/Layer thickness)") != std::string::npos;
+    return std::get<std::string>(run.results().console.front()).find("(Table/Layer thickness)") !=
+           std::string::npos;
   };
   EXPECT_FALSE(remark(2e-4)); // layer thickness not given
   run.study.table.layer_thickness = 5e-3;
