@@ -1,7 +1,7 @@
 #include "fem/revolution/compute_compliance.h"
 
-#include "fem/contact/parallel_for.h"
 #include "fem/revolution/meridian_space.h"
+#include "fem/revolution/parallel_for.h"
 
 #include <algorithm>
 #include <array>

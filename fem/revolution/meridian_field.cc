@@ -1,6 +1,6 @@
 #include "fem/revolution/meridian_field.h"
 
-#include "fem/contact/parallel_for.h"
+#include "fem/revolution/parallel_for.h"
 
 #include <deal.II/fe/fe_values.h>
 

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/threaded_executor.h"
 
-#include "fem/contact/parallel_for.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/make_foot.h"
+#include "fem/revolution/parallel_for.h"
 
 #include <deal.II/base/multithread_info.h>
 

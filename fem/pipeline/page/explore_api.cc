@@ -88,8 +88,9 @@ const char *answer(const Make &make)
     const auto *contact = dynamic_cast<const fem::ContactFailure *>(&failure);
     const bool tips = contact ? contact->outcome == fem::ContactOutcome::tipping
                               : dynamic_cast<const ring::Tipping *>(&failure) != nullptr;
-    reply = dump_utf8(
-      { { "error", failure.what() }, { "tips", tips }, { "notes", implausible_notes(entries_of(explorer->study())) } });
+    reply = dump_utf8({ { "error", failure.what() },
+                        { "tips", tips },
+                        { "notes", implausible_notes(entries_of(explorer->study())) } });
   }
   return reply.c_str();
 }
