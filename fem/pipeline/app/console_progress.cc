@@ -1,9 +1,7 @@
 #include "fem/pipeline/app/console_progress.h"
 
 #include "fem/contact/contact_newton.h"
-#include "ring_model/load/constants.h"
 
-#include <cmath>
 #include <fmt/format.h>
 #include <ostream>
 
@@ -52,26 +50,6 @@ void ConsoleProgress::iteration(const fem::ContactIteration &step)
 void ConsoleProgress::note(const std::string &subject, const std::string &text)
 {
   console() << fmt::format(FMT_STRING("{:<9} {}"), subject, text) << std::endl;
-}
-
-void note_load_source(const Study &study, Progress &progress)
-{
-  if (study.load.source == LoadSource::file)
-  {
-    progress.note("Load", study.load.file);
-    return;
-  }
-  const fem::Resultants demand = study.required_resultants();
-  const double ratio = moment_ratio(demand, study.glass.profile.contact_radius);
-  const double crest = std::atan2(demand.moment_x, -demand.moment_y) / (ring::pi / 180);
-  const std::string origin =
-    study.load.is_static() ? "given"
-                           : "moment balance " + ring::to_string(study.motion.closure) + ", upright at rest";
-  std::string text =
-    fmt::format(FMT_STRING("{:.6g} N, moment ratio {:.4g} ({})"), demand.normal_force, ratio, origin);
-  if (ratio > 0)
-    text += fmt::format(FMT_STRING(", largest at {:.3g} deg"), crest);
-  progress.note("Load", text);
 }
 
 } // namespace stemware::pipeline

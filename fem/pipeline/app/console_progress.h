@@ -30,7 +30,4 @@ private:
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
 
-/// Reports the required resultants at rest and their source to @p progress.
-void note_load_source(const Study &study, Progress &progress);
-
 } // namespace stemware::pipeline

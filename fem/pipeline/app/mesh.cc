@@ -186,10 +186,11 @@ MeshFindings read_mesh(const std::string &file, const ContactSection &contact, M
 }
 
 /// Generates and checks the mesh of the foot, including the crown of the land.
-MeshFindings generate_mesh(const Study &study, Mesh &mesh)
+MeshFindings generate_mesh(const fem::GlassProfile &profile, const fem::FootResolution &resolution,
+                           Mesh &mesh)
 {
-  fem::make_foot_mesh(study.glass.profile, study.contact.resolution, mesh);
-  fem::move_to_crown(study.glass.profile, mesh);
+  fem::make_foot_mesh(profile, resolution, mesh);
+  fem::move_to_crown(profile, mesh);
   return { "generated", fem::check_mesh(mesh), std::nullopt };
 }
 
@@ -225,7 +226,8 @@ void mesh(const MeshOptions &options)
 
   Mesh mesh;
   const ContactSection contact = study ? study->contact : ContactSection();
-  const MeshFindings findings = file.empty() ? generate_mesh(*study, mesh) : read_mesh(file, contact, mesh);
+  const MeshFindings findings = file.empty() ? generate_mesh(study->glass.profile, contact.resolution, mesh)
+                                             : read_mesh(file, contact, mesh);
   console() << mesh_text(findings) << std::flush;
   require_usable(findings.origin, findings.check,
                  file.empty() ? fem::MeshFileOptions() : contact.mesh_file_options);

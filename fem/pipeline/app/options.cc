@@ -46,17 +46,17 @@ std::string why_no_folder(const std::string &text)
            : "";
 }
 
-/// Throws if the limits of the process leave less memory than a study needs. Libraries would otherwise wait
-/// for memory indefinitely or end the program.
-void require_memory_left(const Study &study, unsigned int n_threads)
+/// Throws if the limits of the process leave less memory than a study needs for its contact. Libraries would
+/// otherwise wait for memory indefinitely or end the program.
+void require_memory_left(const StudySize &size, unsigned int n_threads)
 {
   constexpr double buffers = 2e8, // for BLAS and written fields [bytes]
     stack_and_heap_of_thread = 8e7;
   const MemoryLeft left = memory_left();
-  double needed = size_of(study).memory - memory_of_the_program;
+  double needed = size.memory - memory_of_the_program;
   if (left.is_address_space)
     needed = needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread;
-  if (study.load.is_from_contact() && left.bytes < needed)
+  if (left.bytes < needed)
     throw std::runtime_error(fmt::format(
       FMT_STRING("The study needs about {:.2g} GB more memory, but {} leaves {:.2g} GB; raise the "
                  "limit, or use fewer cells or threads (--threads 1)."),
@@ -158,11 +158,12 @@ Study begin_study(const StudyOptions &options)
     print_warning("Unused    ", unused_entries_note(unused_entries(entries_of(study))), options);
     print_note("Memory    ", size_of(study).memory_note());
   }
+  if (!study.load.is_from_contact())
+    return study;
   // Also checked before MPI starts, because MPI prints its own messages if it lacks memory.
-  require_memory_left(study, n_threads_of(options));
-  if (study.load.is_from_contact())
-    prepare_body(study.contact.body);
-  require_memory_left(study, n_threads_of(options));
+  require_memory_left(size_of(study), n_threads_of(options));
+  prepare_body(study.contact.body);
+  require_memory_left(size_of(study), n_threads_of(options));
   return study;
 }
 

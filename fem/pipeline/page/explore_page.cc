@@ -152,18 +152,12 @@ std::vector<std::string> acting_entries(const std::vector<StudyEntry> &own)
   return acting;
 }
 
-ring::Answer answer_of(const Study &study, fem::ComplianceCache &cache)
-{
-  const auto foot = study_foot(study, foot_maker(cache));
-  return ring::answer(find_load(study, foot), spin_question(study)).value();
-}
-
 /// Returns the answer that the page will compute, by an Explorer with the quantised compliances.
-ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
+ring::Answer answer_in_page(const std::vector<StudyEntry> &own, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
   Explorer explorer;
-  for (const auto &[path, value] : values_of(entries_of(study)))
+  for (const auto &[path, value] : values_of(own))
     explorer.set(path, value);
   explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())),
                           false);
@@ -255,7 +249,8 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   PagePair pair;
   pair.glass = glass ? glass->name : "glass of the study";
   pair.table = table ? table->name : "table of the study";
-  const ring::Answer program = answer_of(study, cache);
+  const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
+  const ring::Answer program = ring::answer(load, spin_question(study)).value();
   pair.omega = program.omega_terminal();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
@@ -265,7 +260,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   {
     const PagedCompliance foot(live.foot, bits);
     const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
-    const ring::Answer here = answer_in_page(study, mesh.fineness, foot, disc ? &*disc : nullptr);
+    const ring::Answer here = answer_in_page(entries_of(study), mesh.fineness, foot, disc ? &*disc : nullptr);
     const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
       continue;

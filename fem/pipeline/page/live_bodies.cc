@@ -8,26 +8,17 @@
 namespace stemware::pipeline
 {
 
-namespace
+LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
 {
-
-void require_live(const Study &study)
-{
+  const auto &[study, discretisation, model] = specification;
   ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
-  ensure(abilities(study.contact.body).is_of_revolution,
+  ensure(study.contact.is_of_revolution(),
          "A page solves bodies of revolution only; set Contact/Body = revolution.");
   ensure(!study.has_waviness(),
          "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");
   ensure(files_of(entries_of(study)).empty(),
          "A page reads no files; leave Glass/Profile file and Motion/Orbit speed file empty.");
   ensure(study.contact.goal == Goal::none, "A page keeps its mesh; set Contact/Goal = none.");
-}
-
-} // namespace
-
-LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
-{
-  require_live(specification.study);
   fem::RevolutionSetup setup = revolution_setup(specification);
   if (setup.table.substrate)
   {

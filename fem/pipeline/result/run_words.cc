@@ -102,7 +102,7 @@ std::string inputs_sentence(const Budget &budget)
 
 std::string missing_band_sentence(const Study &study)
 {
-  const bool may_be_narrow = study.table.is_hard() && !abilities(study.contact.body).is_of_revolution;
+  const bool may_be_narrow = study.table.is_hard() && !study.contact.is_of_revolution();
   return std::string(
            "No error band: the contact failed on one of the coarser, finer or stiffer models that the "
            "band compares") +
