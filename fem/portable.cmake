@@ -51,14 +51,13 @@ set(STEMWARE_PORTABLE
     fem/pipeline/coupling/balanced_load.
     fem/pipeline/coupling/contact_path.
     fem/pipeline/coupling/foot_specification.
-    fem/pipeline/coupling/driven_load.
     fem/pipeline/coupling/elastic_foot.
     fem/pipeline/coupling/load_report.
     fem/pipeline/coupling/revolution_setup.
-    fem/pipeline/coupling/study_balance.
     fem/pipeline/coupling/study_load.
     fem/pipeline/analysis/budget.
     fem/pipeline/analysis/budget_quantities.
+    fem/pipeline/analysis/driven_spin_up.
     fem/pipeline/analysis/executor.
     fem/pipeline/analysis/model_variants.
     fem/pipeline/analysis/quantity.

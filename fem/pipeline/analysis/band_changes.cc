@@ -71,10 +71,17 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
                           const std::vector<unsigned int> &ring_counts, std::vector<BandChange> &changes)
 {
   constexpr double with_balance = 2;
+  const auto project =
+    [&](const std::string &part, const std::vector<double> &radii, unsigned int n_harmonics)
+  {
+    BandChange &change = changes.emplace_back(change_of(part, with_balance, own_study));
+    change.shared = Shared::load;
+    change.ring_radii = radii;
+    change.n_harmonics = n_harmonics;
+  };
   const unsigned int n = foot.n_harmonics(), resolved = foot.body().n_resolved_harmonics();
   const std::vector<double> &own = foot.ring_radii();
-  changes.push_back(change_of("load_harmonics", with_balance, own_study));
-  changes.back().ring_projection = { own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u) };
+  project("load_harmonics", own, n < resolved ? std::min(2 * n, resolved) : std::max(n / 2, 1u));
   if (own.size() < 2)
   {
     changes.push_back(change_of("rings", usual_factor, own_study));
@@ -84,8 +91,7 @@ void add_ring_projections(const Variant &own_study, const ElasticFoot &foot,
   }
   for (const unsigned int n_rings : ring_counts)
   {
-    changes.push_back(change_of("rings", with_balance, own_study));
-    changes.back().ring_projection = { radii_on_band_of(own, n_rings), n };
+    project("rings", radii_on_band_of(own, n_rings), n);
     changes.back().is_alternative = true;
   }
 }
@@ -279,8 +285,8 @@ std::vector<BandChange> band_changes(const ElasticFoot &foot, const LoadReport &
   Variant own = { foot.specification() };
   own.kind = VariantKind::parameter;
   own.shared = Shared::rings;
-  return abilities(own.study.contact.body).is_of_revolution ? changes_of_revolution(own, foot, is_full)
-                                                            : changes_of_solid(own, foot, at_rest, is_full);
+  return own.study.contact.is_of_revolution() ? changes_of_revolution(own, foot, is_full)
+                                              : changes_of_solid(own, foot, at_rest, is_full);
 }
 
 } // namespace stemware::pipeline

@@ -4,21 +4,14 @@
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Rings onto which contact pressures are projected.
-struct RingProjection
-{
-  std::vector<double> radii = {}; ///< radii of the rings [m]; empty: one ring
-  unsigned int n_harmonics = 0;
-};
-
-/// Change of one numerical parameter.
+/// Change of one numerical parameter. With Shared::load, the study's contacts are kept, and only the torque
+/// of their pressures on other rings and harmonics (Variant::n_harmonics) is computed.
 struct BandChange : Variant
 {
   std::string part;      ///< part of the band (BandedQuantity::parts) to which it contributes
@@ -28,8 +21,7 @@ struct BandChange : Variant
   bool compares_over_spins = false;
   /// True if the part is the larger of this change and the sum of its earlier ones (for maxima: the sum).
   bool is_alternative = false;
-  /// Rings of a change that keeps the study's contacts and recomputes only the torque; empty for others.
-  std::optional<RingProjection> ring_projection = {};
+  std::vector<double> ring_radii = {}; ///< for Shared::load [m]; empty: one ring
 };
 
 /// Returns the changes for the bands of a study (estimate_bands()). @p foot: the study's foot with its rings;

@@ -89,10 +89,10 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 {
-  std::vector<Variant> variants = model_chain(own.study);
+  std::vector<Variant> variants = model_chain(own);
   for (const Variant &variant : variants_without(own, depends_on_phase))
     variants.push_back(variant);
-  for (const Variant &variant : input_variants(own.study))
+  for (const Variant &variant : input_variants(own))
     variants.push_back(variant);
   return variants;
 }

@@ -126,14 +126,15 @@ void require_different(const CaseList &list)
            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
-std::string unit_of_heading(const StudyEntry &entry, const ColumnHeading &heading, const std::string &place)
+std::string unit_of_heading(const StudyEntry &entry, const std::string &name, const std::string &unit,
+                            const std::string &place)
 {
-  const bool is_plain = heading.unit.empty() || entry.unit.empty();
-  const std::string trouble = is_plain ? "" : unit_error("1 " + heading.unit, entry.unit);
-  ensure(trouble.empty() && (heading.unit.empty() || !entry.unit.empty()),
-         place + heading.name + " (" + shortened(heading.unit) + ")" +
+  const bool is_plain = unit.empty() || entry.unit.empty();
+  const std::string trouble = is_plain ? "" : unit_error("1 " + unit, entry.unit);
+  ensure(trouble.empty() && (unit.empty() || !entry.unit.empty()),
+         place + name + " (" + shortened(unit) + ")" +
            (trouble.empty() ? " is words; leave the unit out." : trouble));
-  return heading.unit;
+  return unit;
 }
 
 } // namespace
@@ -189,16 +190,16 @@ CaseList cases_from_file(const std::string &file)
   ensure(table.rows.size() >= 2,
          list.origin + " has no cases; write a first row of entries such as \"Motion/Mass (g)\", and a row "
                        "of values for each case.");
-  const TableRow &header = table.rows.front();
+  const auto &header = table.rows.front();
   std::vector<StudyEntry> entries;
   std::vector<std::string> units;
   for (std::size_t i = 0; i < header.cells.size(); ++i)
   {
-    const ColumnHeading heading = parse_heading(header.cells[i]);
-    std::string place = position_in_table(list.origin, header, i);
+    const auto [name, unit] = parse_heading(header.cells[i]);
+    std::string place = position_in_table(list.origin, header.line, i);
     place.resize(place.size() - 2); // find_entry() adds the colon
-    entries.push_back(find_entry(place, heading.name));
-    units.push_back(unit_of_heading(entries.back(), heading, place + ": "));
+    entries.push_back(find_entry(place, name));
+    units.push_back(unit_of_heading(entries.back(), name, unit, place + ": "));
     list.entries.push_back({ entries.back().path(), entries.back().unit });
   }
   require_different(list);
@@ -215,7 +216,7 @@ CaseList cases_from_file(const std::string &file)
       std::string cell = is_number ? table.with_point(row->cells[i]) : row->cells[i];
       if (is_number && parse_number(cell) && !units[i].empty())
         cell += ' ' + units[i];
-      values.push_back(canonical(entries[i], position_in_table(list.origin, *row, i), cell));
+      values.push_back(canonical(entries[i], position_in_table(list.origin, row->line, i), cell));
     }
   }
   ensure(list.cases.size() <= max_cases,

@@ -3,7 +3,6 @@
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/band_changes.h"
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
@@ -59,18 +58,18 @@ LoadsAtPhases loads_of(const std::shared_ptr<ElasticFoot> &foot, const Evaluatio
   return loads;
 }
 
-/// Returns @p loads with the same contact pressure, projected onto @p rings.
-LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const RingProjection &rings)
+/// Returns @p loads with the same contact pressure, projected onto the rings of @p change.
+LoadsAtPhases projected(LoadsAtPhases loads, const ElasticFoot &foot, const BandChange &change)
 {
   for (auto *list : { &loads.all, &loads.first })
     for (BalancedLoad &load : *list)
     {
       const bool is_cut = load.n_harmonics() < foot.n_harmonics();
-      const unsigned int n = is_cut ? load.n_harmonics() : rings.n_harmonics;
-      const auto on_rings = [own = load, &foot, &rings, n](double omega) -> ring::Sample
+      const unsigned int n = is_cut ? load.n_harmonics() : change.n_harmonics;
+      const auto on_rings = [own = load, &foot, &change, n](double omega) -> ring::Sample
       {
         const ring::Sample at_spin = own.at(omega);
-        return { foot.body().project_onto_rings(*own.contact(omega), rings.radii, n), at_spin.tilt };
+        return { foot.body().project_onto_rings(*own.contact(omega), change.ring_radii, n), at_spin.tilt };
       };
       load = load.with(ring::Load(on_rings, true));
     }
@@ -134,7 +133,7 @@ std::vector<ring::Orientation> phases_of(const ElasticFoot &foot, double omega)
 /// spin follows from the change of the torque and the slope, so no second search is needed.
 std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const EvaluationPoints &probe,
                                                 const Evaluation &own, const ring::Answer &row,
-                                                const Study &study)
+                                                const Analysis &analysis)
 {
   // If the glass tips at the highest spin, the slope is computed from the spins up to the terminal spin.
   const auto is_known = [&](std::size_t i)
@@ -155,15 +154,15 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
     { probe.spins[1], probe.spins[3] },
     { found.torques[1].friction.torque, found.torques[3].friction.torque },
     row.terminal->omega + moved,
-    study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)))
+    analysis.study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)))
   };
   std::vector<QuantityOfInterest> quantities =
-    quantities_of_interest(study, found.at_rest, found.table_motion, spin);
+    quantities_of_interest(analysis.study, found.at_rest, found.table_motion, spin);
   if (probe.first)
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
     const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope_there;
-    const double spin_noise = study.rounding_of_spins();
+    const double spin_noise = analysis.study.rounding_of_spins();
     quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
                            *probe.first + first_moved, spin_noise });
     quantities.push_back({ "harmonic_effect", "effect of the harmonics", "rad/s",
@@ -185,8 +184,8 @@ EvaluationPoints probe_of(const ElasticFoot &foot, double omega, const std::opti
   probe.spins = { 0, omega / 2, omega, 1.5 * omega };
   probe.first = first;
   probe.phases = phases_of(foot, omega);
-  probe.with_width = study.table.is_hard() && study.glass.profile.crown_radius > 0 &&
-                     abilities(study.contact.body).is_of_revolution;
+  probe.with_width =
+    study.table.is_hard() && study.glass.profile.crown_radius > 0 && study.contact.is_of_revolution();
   return probe;
 }
 
@@ -316,29 +315,29 @@ ErrorBands bands_of_solver(const std::vector<QuantityOfInterest> &quantities,
 ErrorBands bands_of(const Analysis &analysis, const ring::Answer &all, const std::optional<double> &first,
                     const std::vector<QuantityOfInterest> &reported)
 {
-  const Study &study = analysis.study;
   const std::shared_ptr<ElasticFoot> &foot = analysis.foot;
+  const double spin_unit = analysis.study.spin_unit();
   EvaluationPoints probe = probe_of(*foot, all.terminal->omega, first);
   const LoadsAtPhases own_loads = loads_of(foot, probe);
   const bool is_full = has_full_contact(all, own_loads.all.front().report());
-  add_slope_spins(is_full, study.spin_unit(), probe);
+  add_slope_spins(is_full, spin_unit, probe);
   Evaluation own = evaluate(own_loads, *foot, probe);
   if (first)
   {
     const auto torque = [&](double omega)
-    { return mean_torques(own_loads.first, study.motion.orbit, { omega }).front().torque(); };
-    own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, study.spin_unit()));
+    { return mean_torques(own_loads.first, analysis.study.motion.orbit, { omega }).front().torque(); };
+    own.slope_of_first = ring::torque_slope(torque, *first, ring::slope_step(*first, spin_unit));
   }
   std::vector<BandChange> changes = band_changes(*foot, own.at_rest, is_full);
   const auto quantities = [&](const Evaluation &found)
-  { return quantities_from(found, probe, own, all, study); };
+  { return quantities_from(found, probe, own, all, analysis); };
   const std::vector<QuantityOfInterest> unchanged = quantities(own);
   ErrorBands bands = bands_of_solver(unchanged, reported);
   const auto with_rings = std::stable_partition(
-    changes.begin(), changes.end(), [](const BandChange &change) { return !change.ring_projection; });
+    changes.begin(), changes.end(), [](const BandChange &change) { return change.shared != Shared::load; });
   for (auto change = with_rings; change != changes.end(); ++change)
   {
-    const LoadsAtPhases loads = projected(own_loads, *foot, *change->ring_projection);
+    const LoadsAtPhases loads = projected(own_loads, *foot, *change);
     add_part(*change, unchanged, quantities(evaluate(loads, *foot, probe)), bands);
   }
   changes.erase(with_rings, changes.end());

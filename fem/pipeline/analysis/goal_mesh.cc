@@ -110,7 +110,7 @@ std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad 
                                     Goal goal, bool with_cells)
 {
   const auto &[study, discretisation, model] = foot.specification();
-  if (abilities(study.contact.body).is_of_revolution || !load.contact(0) || foot.ring_radii().empty() ||
+  if (study.contact.is_of_revolution() || !load.contact(0) || foot.ring_radii().empty() ||
       foot.body().capabilities().glass_period > 0 || goal == Goal::none)
     return std::nullopt;
   const ring::Motion &motion = study.motion.orbit;
@@ -135,10 +135,10 @@ std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad 
   return result;
 }
 
-MeshForGoal mesh_for_goal(const Study &study, const Executor &executor)
+GoalOutcome mesh_for_goal(const Study &study, const Executor &executor)
 {
   if (study.contact.goal == Goal::none || !study.load.is_from_contact())
-    return { {}, std::nullopt };
+    return {};
   constexpr unsigned int max_meshes = 20;
   constexpr double allowed_cancelling = 5;
   Discretisation meshed;
@@ -155,7 +155,7 @@ MeshForGoal mesh_for_goal(const Study &study, const Executor &executor)
                              fmt::format(FMT_STRING("{} cells, mesh {} for the goal; estimated error of the "
                                                     "goal {:.1e} of its value"),
                                          n_cells, n_meshes, std::abs(found.error.correction / found.value)));
-      return { std::move(meshed), GoalOutcome{ found.value, found.error.correction, n_meshes, n_cells } };
+      return { std::move(meshed), found.value, found.error.correction, n_meshes, n_cells };
     }
     if (n_meshes == max_meshes)
       throw std::runtime_error(fmt::format(

@@ -30,28 +30,22 @@ struct GoalError
 std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad &load, double omega_terminal,
                                     Goal goal, bool with_cells = false);
 
-/// Value of the goal with its estimated remaining error.
+/// Mesh for a goal, and the value of the goal with its estimated remaining error.
 struct GoalOutcome
 {
+  Discretisation discretisation = {};
   double value = 0;           ///< [rad/s, 1 or N m]
   double estimated_error = 0; ///< exact minus computed value
-  std::size_t n_meshes = 0;
-  std::size_t n_cells = 0; ///< cells of the last mesh
+  std::size_t n_meshes = 0;   ///< 0 if the study has no goal
+  std::size_t n_cells = 0;    ///< cells of the last mesh
 };
 
-/// Mesh for the goal of a study.
-struct MeshForGoal
-{
-  Discretisation discretisation;
-  std::optional<GoalOutcome> outcome; ///< std::nullopt if the study has no goal
-};
-
-/// Returns the discretisation of @p study; the default without a goal. On each mesh, the cells with most of
-/// the error are halved. The last mesh meets two conditions: the estimated error of Contact/Goal is within
+/// Returns the mesh of @p study; the default discretisation without a goal. On each mesh, the cells with most
+/// of the error are halved. The last mesh meets two conditions: the estimated error of Contact/Goal is within
 /// its tolerance, and the sum of the cells' absolute shares in this error is within five tolerances. The
 /// progress of @p executor receives the meshes. Throws BadInput for a mesh file whose load depends on the
 /// direction of the moment; std::runtime_error if twenty meshes or Contact/Memory limit are not enough, or
 /// the estimate fails; and as find_load() and ring::terminal_spin(). Collective if the body is.
-MeshForGoal mesh_for_goal(const Study &study, const Executor &executor);
+GoalOutcome mesh_for_goal(const Study &study, const Executor &executor);
 
 } // namespace stemware::pipeline

@@ -46,54 +46,54 @@ bool has_compliance(const FootSpecification &specification)
          !specification.model.foot_is_rigid;
 }
 
-std::vector<Variant> model_chain(const Study &study)
+std::vector<Variant> model_chain(const Variant &own)
 {
   std::vector<Variant> chain;
-  const auto add = [&](const ChainStep &step, const char *name, const Study &model)
+  const auto add = [&](const ChainStep &step, const char *name, Study model)
   {
-    Variant &variant = chain.emplace_back(Variant{ { model }, VariantKind::chain, name });
+    Variant &variant = chain.emplace_back(Variant{ { std::move(model) }, VariantKind::chain, name });
     variant.n_harmonics = 1;
     variant.shared = Shared::foot;
     variant.step = step;
   };
-  Study model = paper_study(study);
+  Study model = paper_study(own.study);
   add({ 1 }, "paper", model);
-  if (!study.motion.orbit.has_constant_friction())
+  if (!own.study.motion.orbit.has_constant_friction())
   {
-    model.motion.orbit = study.motion.orbit;
+    model.motion.orbit = own.study.motion.orbit;
     model.motion.orbit.liquid.surface_leans = false;
     add({ 1, true }, "friction law", model);
   }
-  if (study.load.source != LoadSource::file)
+  if (own.study.load.source != LoadSource::file)
   {
-    model = first_harmonic_study(study);
+    model = first_harmonic_study(own.study);
     model.motion.grip_torque = 0;
-    add({ 2 }, study.load.is_static() ? "given moment" : "moment balance", model);
+    add({ 2 }, own.study.load.is_static() ? "given moment" : "moment balance", model);
   }
-  if (study.motion.grip_torque > 0)
+  if (own.study.motion.grip_torque > 0)
   {
-    model.motion.grip_torque = study.motion.grip_torque;
+    model.motion.grip_torque = own.study.motion.grip_torque;
     add({ 2, true }, "grip", model);
   }
-  if (study.tilts())
+  if (own.study.tilts())
   {
-    model = study;
+    model = own.study;
     model.motion.tilt = false;
     add({ 3 }, "where the foot touches", model);
   }
   return chain;
 }
 
-std::vector<Variant> input_variants(const Study &study)
+std::vector<Variant> input_variants(const Variant &own)
 {
   constexpr double higher = 0.01, rougher = 0.05, grip = 1.4e-3; // [m], [1], [N m]
   std::vector<Variant> variants;
-  if (!study.load.has_closure())
+  if (!own.study.load.has_closure())
     return variants;
   const auto add = [&](const char *name, const std::function<void(MotionSection &)> &change)
   {
     Variant &variant =
-      variants.emplace_back(Variant{ { first_harmonic_study(study) }, VariantKind::input, name });
+      variants.emplace_back(Variant{ { first_harmonic_study(own.study) }, VariantKind::input, name });
     variant.n_harmonics = 1;
     variant.shared = Shared::foot;
     change(variant.study.motion);
@@ -103,7 +103,7 @@ std::vector<Variant> input_variants(const Study &study)
       [&](MotionSection &motion)
       {
         motion.orbit.centre_of_mass_height += higher;
-        if (study.given_entries.count("Motion/Force offset") == 0) // keeps the height of the hand
+        if (own.study.given_entries.count("Motion/Force offset") == 0) // keeps the height of the hand
           motion.orbit.force_offset -= higher;
       });
   add("0.05 more friction", [](MotionSection &motion) { motion.orbit.friction_coefficient += rougher; });
@@ -113,10 +113,9 @@ std::vector<Variant> input_variants(const Study &study)
 
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
 {
-  const Study &study = own.study;
   const Model &model = own.model;
   std::vector<Variant> variants;
-  if (!study.load.is_from_contact())
+  if (!own.study.load.is_from_contact())
     return variants;
   const auto add_if = [&](bool applies, const char *name, const std::function<void(Variant &)> &leave_out)
   {
@@ -126,24 +125,24 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
     variant.kind = VariantKind::without;
     variant.name = name;
     leave_out(variant);
-    const bool is_solid = !abilities(study.contact.body).is_of_revolution;
+    const bool is_solid = !own.study.contact.is_of_revolution();
     if (!has_compliance(variant))
       variant.reason = "not defined";
     else if ((depends_on_phase || variant.study.has_waviness()) && is_solid &&
-             variant.study.table.is_hard() && !study.table.is_hard())
+             variant.study.table.is_hard() && !own.study.table.is_hard())
       variant.reason = "not computed: a solid foot on a hard table takes too long at every phase";
   };
-  const bool is_elastic_substrate = study.table.substrate == TableSubstrate::elastic;
+  const bool is_elastic_substrate = own.study.table.substrate == TableSubstrate::elastic;
   const bool is_elastic_foot = !model.foot_is_rigid;
-  add_if(study.friction_deforms() && is_elastic_foot && model.friction_in_foot, "friction in the foot",
+  add_if(own.study.friction_deforms() && is_elastic_foot && model.friction_in_foot, "friction in the foot",
          [](Variant &other) { other.model.friction_in_foot = false; });
-  add_if(study.friction_deforms() && is_elastic_substrate && model.friction_in_substrate,
+  add_if(own.study.friction_deforms() && is_elastic_substrate && model.friction_in_substrate,
          "friction in the substrate", [](Variant &other) { other.model.friction_in_substrate = false; });
-  add_if(abilities(study.contact.body).is_of_revolution && is_elastic_foot, "elasticity of the foot",
+  add_if(own.study.contact.is_of_revolution() && is_elastic_foot, "elasticity of the foot",
          [](Variant &other) { other.model.foot_is_rigid = true; });
   add_if(is_elastic_substrate, "elasticity of the substrate",
          [](Variant &other) { other.study.table.substrate = TableSubstrate::rigid; });
-  add_if(!study.table.is_hard(), "compliance of the interface",
+  add_if(!own.study.table.is_hard(), "compliance of the interface",
          [](Variant &other)
          {
            // With waviness, the load is interpolated between sampled phases. The error of this interpolation
@@ -153,15 +152,16 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
            if (other.study.has_waviness())
              other.study.contact.degree = std::min(other.study.contact.degree, max_degree);
          });
-  add_if(!study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
+  add_if(!own.study.motion.orbit.has_constant_friction(), "dependence of friction on slip",
          [](Variant &other) { other.study = with_constant_friction(std::move(other.study)); });
-  add_if(study.tilts(), "tilt", [](Variant &other) { other.study.motion.tilt = false; });
-  add_if(study.motion.orbit.liquid.mass > 0 && study.load.has_closure(), "lean of the liquid",
+  add_if(own.study.tilts(), "tilt", [](Variant &other) { other.study.motion.tilt = false; });
+  add_if(own.study.motion.orbit.liquid.mass > 0 && own.study.load.has_closure(), "lean of the liquid",
          [](Variant &other) { other.study.motion.orbit.liquid.surface_leans = false; });
-  add_if(study.motion.grip_torque > 0, "grip", [](Variant &other) { other.study.motion.grip_torque = 0; });
-  if (study.motion.grip_torque > 0)
+  add_if(own.study.motion.grip_torque > 0, "grip",
+         [](Variant &other) { other.study.motion.grip_torque = 0; });
+  if (own.study.motion.grip_torque > 0)
     variants.back().shared = Shared::load;
-  add_if(study.has_waviness(), "waviness",
+  add_if(own.study.has_waviness(), "waviness",
          [](Variant &other) { other.study.glass.waviness = other.study.table.waviness = {}; });
   return variants;
 }

@@ -56,8 +56,7 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   // The contact fraction of a solid foot is accurate to one azimuthal cell. For a body of revolution, the
   // contact edges are interpolated between the azimuth lines.
   std::vector<QuantityOfInterest> quantities = load_quantities(
-    at_rest,
-    abilities(contact.body).is_of_revolution ? relative_noise : 1. / contact.resolution.azimuthal_cells);
+    at_rest, contact.is_of_revolution() ? relative_noise : 1. / contact.resolution.azimuthal_cells);
   const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
                               study.glass.profile.contact_radius;
   constexpr double noise_of_slopes = 1e3; // factor between the relative noise of slopes and of torques

@@ -26,12 +26,11 @@ struct Parameter
 std::vector<Parameter> parameters_of(ContactSection &contact)
 {
   fem::FootResolution &cells = contact.resolution;
-  const bool is_of_revolution = abilities(contact.body).is_of_revolution;
   const RefinementAxis of_degree = { "degree", "degree of the elements", "degree", AxisKind::degree },
                        of_harmonics = { "harmonics", "elastic harmonics", "harmonics", AxisKind::azimuth },
                        of_lines = { "azimuth_lines", "azimuth lines", "lines", AxisKind::azimuth };
-  const Parameter degree = { of_degree, contact.degree, 1, is_of_revolution ? 4u : 2u };
-  if (is_of_revolution)
+  const Parameter degree = { of_degree, contact.degree, 1, contact.highest_degree() };
+  if (contact.is_of_revolution())
     return {
       { { "meridional_mesh", "meridional mesh", "halvings of every cell" }, contact.refinements, 0, 6 },
       degree,

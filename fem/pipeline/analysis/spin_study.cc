@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
-#include "ring_model/spin/hand_drive.h"
 #include "ring_model/spin/phase_loads.h"
 
 #include <algorithm>
@@ -111,40 +110,6 @@ double shown_spin(double spin_unit, const ring::Answer &row, double fastest)
     return fastest;
   const double torque = row.at_rest ? row.at_rest->friction.torque : 0;
   return std::copysign(0.1 * spin_unit, fastest != 0 ? fastest : torque);
-}
-
-/// Returns the spin-up with Motion/Orbit speed file, if given, at @p times, with the contact in balance at
-/// every instant. @p radius: contact radius [m]; @p foot: as in driven_torque(). Throws as the torque and
-/// @p observer.
-std::optional<DrivenSpinUp> driven_spin_up(const MotionSection &motion, double radius,
-                                           const std::shared_ptr<ElasticFoot> &foot,
-                                           const std::vector<double> &times,
-                                           const ring::TimeObserver &observer)
-{
-  if (!motion.orbit_speeds)
-    return std::nullopt;
-  const ring::OrbitSpeedTable &speeds = *motion.orbit_speeds;
-  DrivenSpinUp driven;
-  if (speeds.starts_from_rest())
-    driven.breakaway = find_breakaway(motion, radius, foot);
-  // A step takes about a dozen contact solves, and measured speeds are less accurate than 1e-6.
-  const double accuracy = foot ? 1e-6 : 1e-10;
-  const ring::PhasedTorqueFunction torque = ring::observed(driven_torque(motion, radius, foot), observer);
-  const std::vector<ring::YawSample> samples =
-    ring::driven_motion(torque, speeds, motion.orbit, motion.grip_torque, radius, times, accuracy);
-  const std::vector<double> changes =
-    ring::interpolation_changes(motion.closure, motion.orbit, motion.grip_torque, radius, speeds, times);
-  driven.time = times;
-  for (const double time : times)
-  {
-    driven.speed.push_back(speeds.speed(time));
-    driven.acceleration.push_back(speeds.acceleration(time));
-  }
-  driven.omega = spins_of(samples);
-  driven.integration_error = accuracy * motion.orbit.orbit_speed / radius;
-  driven.interpolation_change_at_end = changes.back();
-  driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
-  return driven;
 }
 
 } // namespace

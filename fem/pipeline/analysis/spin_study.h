@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/pipeline/analysis/budget.h"
+#include "fem/pipeline/analysis/driven_spin_up.h"
 #include "fem/pipeline/analysis/study_rows.h"
-#include "fem/pipeline/coupling/driven_load.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/torque_effect.h"
 
@@ -23,20 +23,6 @@ struct TorqueCurve
   std::vector<ring::Torques> all;   ///< torques of all harmonics
   unsigned int n_first = 0;         ///< harmonics of `first`; 0 without a balance
   std::vector<ring::Torques> first; ///< torques of the first n_first harmonics
-};
-
-/// Spin-up while the hand's speed changes.
-struct DrivenSpinUp
-{
-  std::vector<double> time;         ///< [s]
-  std::vector<double> speed;        ///< v(t) [m/s]
-  std::vector<double> acceleration; ///< dv/dt [m/s^2]
-  std::vector<double> omega;        ///< all harmonics, error control [rad/s]
-  /// Change of omega for linear instead of monotone cubic interpolation of the file, on a rigid rim [rad/s].
-  double interpolation_change = 0;               ///< maximum over the times
-  double interpolation_change_at_end = 0;        ///< at the last time
-  double integration_error = 0;                  ///< requested accuracy [rad/s]
-  std::optional<ring::Breakaway> breakaway = {}; ///< if the hand starts from rest
 };
 
 /// Spin-ups from rest at equally spaced times, each load in its own balance; NaN after tipping.

@@ -171,12 +171,12 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
                          std::shared_ptr<ElasticFoot> *start)
 {
   Progress &progress = executor.progress;
-  const MeshForGoal mesh = mesh_for_goal(study, executor);
+  const GoalOutcome mesh = mesh_for_goal(study, executor);
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot({ study, mesh.discretisation }, executor, start ? start->get() : nullptr);
   const Analysis analysis = { study, foot, executor };
   const BalancedLoad load = find_load(study, foot, progress);
-  StudyAnswer answer = { study, mesh.outcome };
+  StudyAnswer answer = { study, mesh.n_meshes > 0 ? std::optional(mesh) : std::nullopt };
   answer.spin = study_spin(analysis, load, depth);
   progress.stage_done("ring");
   answer.contact = describe(foot, load, answer.spin.answer().last_spin().value());

@@ -18,10 +18,8 @@ namespace stemware::pipeline
 namespace
 {
 
-std::vector<unsigned int> row_orders(const Study &study, unsigned int n_all, Depth depth)
+std::vector<unsigned int> row_orders(bool is_slow, unsigned int n_all, Depth depth)
 {
-  const bool is_slow =
-    study.load.is_in_balance() && (abilities(study.contact.body).is_collective || study.has_waviness());
   if ((is_slow || depth == Depth::answer) && n_all > 1)
     return { 1, n_all };
   return truncation_orders(n_all);
@@ -158,7 +156,8 @@ StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, De
                             const std::vector<Variant> &others)
 {
   const auto &[study, foot, executor] = analysis;
-  const std::vector<unsigned int> orders = row_orders(study, load.n_harmonics(), depth);
+  const bool is_slow = study.load.is_in_balance() && (study.is_collective() || study.has_waviness());
+  const std::vector<unsigned int> orders = row_orders(is_slow, load.n_harmonics(), depth);
   ring::Question question = spin_question(study);
   question.with_slope = true;
   question.observer = motion_observer(executor.progress);

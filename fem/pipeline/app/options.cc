@@ -39,15 +39,14 @@ auto not_blank(const char *blanks, const char *message)
   { return text.find_first_not_of(blanks) == std::string::npos ? std::string(message) : ""; };
 }
 
-/// Throws if the limits of the process leave less memory than a study needs. Libraries would otherwise wait
-/// for memory indefinitely or end the program.
-void require_memory_for(const Study &study, unsigned int n_threads)
+/// Throws if the limits of the process leave less memory than a study needs for its contact. Libraries would
+/// otherwise wait for memory indefinitely or end the program.
+void require_memory_for(const StudySize &size, unsigned int n_threads)
 {
   constexpr double buffers = 2e8, // for BLAS and written fields [bytes]
     stack_and_heap_of_thread = 8e7;
-  const double needed = size_of(study).memory - memory_of_the_program;
-  if (study.load.is_from_contact())
-    require_memory_left(needed, needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread);
+  const double needed = size.memory - memory_of_the_program;
+  require_memory_left(needed, needed / n_ranks() + buffers + (n_threads - 1) * stack_and_heap_of_thread);
 }
 
 /// Reports the required resultants at rest and their source to @p progress.
@@ -168,11 +167,12 @@ Study begin_study(const StudyOptions &options)
     print_warning("Unused    ", unused_entries_note(unused_entries(entries_of(study))), options);
     print_note("Memory    ", size_of(study).memory_note());
   }
+  if (!study.load.is_from_contact())
+    return study;
   // Also checked before MPI starts, because MPI prints its own messages if it lacks memory.
-  require_memory_for(study, n_threads_of(options));
-  if (study.load.is_from_contact())
-    prepare_body(study.contact.body);
-  require_memory_for(study, n_threads_of(options));
+  require_memory_for(size_of(study), n_threads_of(options));
+  prepare_body(study.contact.body);
+  require_memory_for(size_of(study), n_threads_of(options));
   return study;
 }
 

@@ -48,7 +48,7 @@ struct FootSpecification
   /// multipliers of a solid foot on a mesh without a hierarchy.
   bool uses_penalty_for_hard_table() const
   {
-    return study.table.is_hard() && (abilities(study.contact.body).is_of_revolution || is_refined());
+    return study.table.is_hard() && (study.contact.is_of_revolution() || is_refined());
   }
 
   Study study;

@@ -70,14 +70,14 @@ FootMaker foot_maker(fem::ComplianceCache &cache)
 
 bool has_focused_mesh(const FootSpecification &specification)
 {
-  return abilities(specification.study.contact.body).is_of_revolution &&
+  return specification.study.contact.is_of_revolution() &&
          revolution_setup(specification).resolution.has_focus();
 }
 
 std::vector<fem::SectionPolygon> foot_section(const FootSpecification &specification)
 {
   const ContactSection &contact = specification.study.contact;
-  if (abilities(contact.body).is_of_revolution)
+  if (contact.is_of_revolution())
     return fem::section_cells(fem::MeridianMeshes(revolution_setup(specification)).foot);
   // Azimuth of the section [rad]. Usual meshes have no nodes at this azimuth.
   constexpr double azimuth = 0.02;

@@ -3,8 +3,6 @@
 #include "fem/contact/contact_solution.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/coupling/balanced_contact.h"
-#include "fem/pipeline/coupling/study_balance.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
@@ -16,14 +14,24 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace stemware::pipeline
 {
 
 namespace
 {
+
+double period_of(const std::vector<fem::WavinessHarmonic> &harmonics)
+{
+  unsigned int divisor = 0;
+  for (const fem::WavinessHarmonic &harmonic : harmonics)
+    divisor = std::gcd(divisor, harmonic.n);
+  return divisor > 0 ? 2 * ring::pi / divisor : 0;
+}
 
 /// Returns the range of loaded radii in @p state. Nodal contact on a hard table may load a single circle of
 /// nodes; this range is widened by @p cell on both sides. The balance evaluates the ring interpolation at the
@@ -89,15 +97,6 @@ void choose_rings(ElasticFoot &foot, const fem::ContactState &at_rest)
   {
   }
   set_rings(n_rings, contact.load_harmonics > 0 ? contact.load_harmonics : n_harmonics);
-}
-
-/// Returns the resultants at rest. With tilt, they include the moment of the weight of the tilted glass.
-fem::ContactDemand demand_at_rest(const Study &study)
-{
-  fem::ContactDemand demand = study.required_resultants();
-  if (study.tilts())
-    demand.tilt_moment = demand.normal_force * study.motion.orbit.overturning_height();
-  return demand;
 }
 
 /// Returns the load whose contact solutions at every spin have the orientation of @p at_rest.
@@ -192,7 +191,11 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
 /// Returns the contact solution at rest, projected onto the rings. The first call chooses the rings.
 fem::ContactState contact_at_rest(ElasticFoot &foot, const ring::Orientation &marks, Progress &progress)
 {
-  fem::ContactState state = foot.solve_at_rest(demand_at_rest(foot.specification().study), marks, progress);
+  const auto &[study, discretisation, model] = foot.specification();
+  fem::ContactDemand demand = study.required_resultants();
+  if (study.tilts()) // the weight of the tilted glass has a moment
+    demand.tilt_moment = demand.normal_force * study.motion.orbit.overturning_height();
+  fem::ContactState state = foot.solve_at_rest(demand, marks, progress);
   if (!foot.has_rings())
   {
     choose_rings(foot, state);
@@ -227,6 +230,27 @@ BalancedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics
 }
 
 } // namespace
+
+ContactBalance moment_balance(const Study &study, unsigned int n_harmonics)
+{
+  const ring::Motion &motion = study.motion.orbit;
+  return { motion,        study.motion.closure,     ring::orientation_of_marks(motion, 0, 0),
+           study.tilts(), study.varies_with_spin(), n_harmonics };
+}
+
+ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection)
+{
+  return { period_of(imperfection.glass), period_of(imperfection.table) };
+}
+
+ring::PhasePeriods phase_periods(const ElasticFoot &foot)
+{
+  const auto &[study, discretisation, model] = foot.specification();
+  ring::PhasePeriods periods = phase_periods({ study.glass.waviness, study.table.waviness });
+  if (const double of_mesh = foot.body().capabilities().glass_period; of_mesh > 0)
+    periods.glass = of_mesh;
+  return periods;
+}
 
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
                        unsigned int n_harmonics, PhaseSampling phases)

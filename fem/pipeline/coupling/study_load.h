@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/pipeline/base/progress.h"
+#include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/study.h"
@@ -20,6 +21,14 @@ enum class PhaseSampling
   full,
   coarse
 };
+
+/// Returns the moment balance of a study with the marks of glass and table as at t = 0.
+ContactBalance moment_balance(const Study &study, unsigned int n_harmonics = all_harmonics);
+
+/// Returns the periods of a load, 2 pi over the greatest common divisor of the waviness harmonics [rad].
+ring::PhasePeriods phase_periods(const fem::RimImperfection &imperfection);
+/// Returns the periods of the waviness of a study, and of the mesh of its @p foot if it is not axisymmetric.
+ring::PhasePeriods phase_periods(const ElasticFoot &foot);
 
 /// Returns the load of a study on the ring, by Load/Source and Load/Coupling. @p foot: study_foot() of
 /// @p study, kept by the load; its rings are chosen here if it has none. @p progress must outlive the load.

@@ -145,11 +145,11 @@ std::vector<std::pair<std::string, std::string>> values_of(const std::vector<Stu
 }
 
 /// Returns the answer that the page will compute, by an Explorer with the quantised compliances.
-ring::Answer answer_in_page(const Study &study, double fineness, const PagedCompliance &foot,
+ring::Answer answer_in_page(const std::vector<StudyEntry> &own, double fineness, const PagedCompliance &foot,
                             const PagedCompliance *disc)
 {
   Explorer explorer;
-  for (const auto &[path, value] : values_of(entries_of(study)))
+  for (const auto &[path, value] : values_of(own))
     explorer.set(path, value);
   explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())),
                           false);
@@ -253,7 +253,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   {
     const PagedCompliance foot(live.foot, bits);
     const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
-    const ring::Answer here = answer_in_page(study, mesh.fineness, foot, disc ? &*disc : nullptr);
+    const ring::Answer here = answer_in_page(entries_of(study), mesh.fineness, foot, disc ? &*disc : nullptr);
     const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
       continue;
@@ -313,7 +313,7 @@ LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCa
 {
   const Study &study = specification.study;
   ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
-  ensure(abilities(study.contact.body).is_of_revolution,
+  ensure(study.contact.is_of_revolution(),
          "A page solves bodies of revolution only; set Contact/Body = revolution.");
   ensure(!study.has_waviness(),
          "A page solves one load over the spin; leave Glass/Rim waviness and Table/Waviness empty.");

@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/revolution/revolution_foot.h"
@@ -254,7 +253,7 @@ Budget Explorer::budget()
     return {};
   const Executor solver = executor();
   return find_budget(rows_by_harmonics({ foot->specification().study, foot, solver }, *rows.back().load,
-                                       Depth::rows, model_chain(foot->specification().study)));
+                                       Depth::rows, model_chain({ foot->specification() })));
 }
 
 std::vector<double> serialized(const fem::ContactCompliance &compliance)

@@ -111,7 +111,7 @@ Json summary_of(const std::string &verb, const Results &results)
   Json summary = { { "schema", 3 },
                    { "program", { { "version", program_version() }, { "revision", program_revision() } } },
                    { "verb", verb },
-                   { "parameters", study_as_json(results.study) } };
+                   { "parameters", study_as_json(entries_of(results.study)) } };
   summary.update(results.summary);
   require_finite(summary, "summary");
   return summary;

@@ -142,9 +142,9 @@ struct Found
 };
 
 /// Returns @p given with its files read again. Makes the checks that `stemware` makes at its start.
-Study checked(const Study &given)
+Study checked(Study given)
 {
-  Study study = with_values(given, "", {});
+  Study study = with_values(std::move(given), "", {});
   require_no_tipping_at_rest(study);
   return study;
 }

@@ -264,7 +264,8 @@ const Fields<StudyAnswer> &goal_fields()
   { return [=](const StudyAnswer &run) { return (*run.goal).*member; }; };
   static const auto fields = Fields<StudyAnswer>{
     { "name", "", "The quantity of interest.",
-      [](const StudyAnswer &run) { return study_as_json(run.study)["Contact"]["Goal"].get<std::string>(); } },
+      [](const StudyAnswer &run)
+      { return study_as_json(entries_of(run.study))["Contact"]["Goal"].get<std::string>(); } },
     { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
     { "estimated_error", "", "Estimate of exact minus computed value.",
       of_goal(&GoalOutcome::estimated_error) },

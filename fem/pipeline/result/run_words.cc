@@ -84,9 +84,9 @@ std::string inputs_sentence(const Budget &budget)
   return changes.empty() ? "" : changes + ".";
 }
 
-std::string missing_band_sentence(const TableSection &table, BodyKind body)
+std::string missing_band_sentence(const TableSection &table, bool is_of_revolution)
 {
-  const bool may_be_narrow = table.is_hard() && !abilities(body).is_of_revolution;
+  const bool may_be_narrow = table.is_hard() && !is_of_revolution;
   return std::string(
            "No error band: the contact failed on one of the coarser, finer or stiffer models that the "
            "band compares") +
@@ -106,7 +106,7 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
            (band ? " (± " + number(*band, "band") + " rad/s by discretisation)" : "") +
            (paper && study.is_spin(*paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
   if (!band && !spin.is_quick() && study.load.is_from_contact())
-    append(text, missing_band_sentence(study.table, study.contact.body));
+    append(text, missing_band_sentence(study.table, study.contact.is_of_revolution()));
   if (spin.rows.size() > 1)
   {
     append(text, torque_effect_sentence(spin.torque_effects));

@@ -3,7 +3,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/quantity_text.h"
-#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>
@@ -35,7 +34,7 @@ std::optional<std::string> unit_text_in(const std::string &cell, const FileColum
   return std::nullopt;
 }
 
-std::size_t n_cells(const TableRow &row)
+std::size_t n_cells(const TableRow<std::string> &row)
 {
   const auto last =
     std::find_if(row.cells.rbegin(), row.cells.rend(), [](const auto &cell) { return !cell.empty(); });
@@ -66,7 +65,7 @@ public:
     }
   }
 
-  std::vector<FileRow> read()
+  std::vector<TableRow<double>> read()
   {
     ensure(!table.rows.empty(), no_rows());
     const std::optional<Layout> by_heading = layout_by_heading();
@@ -75,7 +74,7 @@ public:
     for (std::size_t i = 0; i < columns.size(); ++i)
       factors.push_back(layout.units[i].empty() ? 1.
                                                 : *parse_quantity("1 " + layout.units[i], columns[i].unit));
-    std::vector<FileRow> rows;
+    std::vector<TableRow<double>> rows;
     for (std::size_t i = layout.first_row; i < table.rows.size(); ++i)
       rows.push_back({ values_in(table.rows[i], layout), table.rows[i].line });
     ensure(!rows.empty(), no_rows());
@@ -95,16 +94,12 @@ private:
            ", in SI units or in those of a first line \"" + boost::join(header, ", ") + "\".";
   }
 
-  std::optional<double> number_in(std::string cell) const
+  std::optional<double> number_in(const std::string &cell) const
   {
-    const auto comma = cell.find(',');
-    if (commas_are_decimal && comma != cell.npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
-        cell.find('.') == cell.npos)
-      cell[comma] = '.';
-    return parse_number(cell);
+    return parse_number(commas_are_decimal ? with_decimal_point(cell) : cell);
   }
 
-  bool is_row_of_numbers(const TableRow &row) const
+  bool is_row_of_numbers(const TableRow<std::string> &row) const
   {
     const auto end = row.cells.begin() + static_cast<std::ptrdiff_t>(n_cells(row));
     return n_cells(row) >= columns.size() &&
@@ -113,7 +108,7 @@ private:
 
   std::optional<Layout> layout_by_heading() const
   {
-    const TableRow &row = table.rows.front();
+    const TableRow<std::string> &row = table.rows.front();
     if (is_row_of_numbers(row) || !names_each_column(row))
       return std::nullopt;
     Layout layout;
@@ -134,7 +129,7 @@ private:
     return layout;
   }
 
-  bool names_each_column(const TableRow &row) const
+  bool names_each_column(const TableRow<std::string> &row) const
   {
     return std::all_of(columns.begin(), columns.end(),
                        [&](const FileColumn &column)
@@ -149,7 +144,7 @@ private:
   /// BadInput if the first row seems to be a heading that does not name the columns.
   Layout layout_without_heading() const
   {
-    const TableRow &row = table.rows.front();
+    const TableRow<std::string> &row = table.rows.front();
     ensure(n_cells(row) != columns.size() ||
              std::any_of(row.cells.begin(), row.cells.end(),
                          [&](const auto &cell) { return number_in(cell).has_value(); }),
@@ -164,7 +159,7 @@ private:
     return layout;
   }
 
-  std::string bad_heading(const TableRow &row) const
+  std::string bad_heading(const TableRow<std::string> &row) const
   {
     return setting + ", line " + std::to_string(row.line) + ": the header \"" +
            shortened(boost::join(row.cells, ", ")) + "\" does not name the columns " +
@@ -183,14 +178,15 @@ private:
     for (std::size_t i = layout.first_row; i < table.rows.size(); ++i)
       for (const std::size_t place : layout.places)
       {
-        const TableRow &row = table.rows[i];
+        const TableRow<std::string> &row = table.rows[i];
         const std::string cell = place < row.cells.size() ? as_typed(row.cells[place]) : "";
         const auto comma = cell.find(',');
         has_point = has_point || cell.find('.') != cell.npos;
         if (comma == cell.npos)
           continue;
         if (with_comma.empty())
-          with_comma = position_in_table(setting, row, place) + "the comma of \"" + shortened(cell) + "\"";
+          with_comma =
+            position_in_table(setting, row.line, place) + "the comma of \"" + shortened(cell) + "\"";
         const std::string whole = boost::trim_left_copy_if(cell.substr(0, comma), boost::is_any_of("+-"));
         has_decimals = has_decimals || whole == "0" || cell.size() - comma != 4;
       }
@@ -201,7 +197,7 @@ private:
     commas_are_decimal = true;
   }
 
-  std::vector<double> values_in(const TableRow &row, const Layout &layout) const
+  std::vector<double> values_in(const TableRow<std::string> &row, const Layout &layout) const
   {
     const std::size_t n = n_cells(row);
     const bool is_short = n < layout.n_columns && (layout.first_row == 0 || table.separator == ' ');
@@ -217,8 +213,8 @@ private:
     {
       const std::string cell = layout.places[i] < row.cells.size() ? row.cells[layout.places[i]] : "";
       const auto number = number_in(cell);
-      ensure(number.has_value(), position_in_table(setting, row, layout.places[i]) + "\"" + shortened(cell) +
-                                   "\" is not a number; " + remedy());
+      ensure(number.has_value(), position_in_table(setting, row.line, layout.places[i]) + "\"" +
+                                   shortened(cell) + "\" is not a number; " + remedy());
       values.push_back(*number * factors[i]);
     }
     return values;
@@ -234,8 +230,8 @@ private:
 
 } // namespace
 
-std::vector<FileRow> parse_columns(const std::string &setting, const std::string &text,
-                                   const std::vector<FileColumn> &columns)
+std::vector<TableRow<double>> parse_columns(const std::string &setting, const std::string &text,
+                                            const std::vector<FileColumn> &columns)
 {
   return ColumnReader(setting, text, columns).read();
 }

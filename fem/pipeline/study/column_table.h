@@ -1,5 +1,7 @@
 #pragma once
 
+#include "fem/pipeline/study/table_file.h"
+
 #include <string>
 #include <vector>
 
@@ -13,18 +15,12 @@ struct FileColumn
   std::string unit;               ///< SI unit
 };
 
-/// Row of a file: one number for each column, in SI units.
-struct FileRow
-{
-  std::vector<double> values;
-  unsigned int line = 0; ///< line of the file, counted from 1
-};
-
-/// Reads @p columns from the table @p text (parse_table()). A heading names them in any order, among others,
-/// with the unit in round or square brackets or after a comma, slash or blank; without a heading, the columns
-/// are as given and in SI units. Quoted numbers may have decimal commas if commas separate the cells. Throws
-/// BadInput, beginning with @p setting, with line, column and remedy; also for ambiguous commas.
-std::vector<FileRow> parse_columns(const std::string &setting, const std::string &text,
-                                   const std::vector<FileColumn> &columns);
+/// Reads @p columns, one number in SI units for each, from the table @p text (parse_table()). A heading names
+/// them in any order, among others, with the unit in round or square brackets or after a comma, slash or
+/// blank; without a heading, the columns are as given and in SI units. Quoted numbers may have decimal commas
+/// if commas separate the cells. Throws BadInput, beginning with @p setting, with line, column and remedy;
+/// also for ambiguous commas.
+std::vector<TableRow<double>> parse_columns(const std::string &setting, const std::string &text,
+                                            const std::vector<FileColumn> &columns);
 
 } // namespace stemware::pipeline

@@ -14,24 +14,9 @@ namespace stemware::pipeline
 
 enum class BodyKind
 {
-  solid,     ///< three-dimensional finite elements
-  revolution ///< displacement harmonics on a meridional mesh
+  solid,     ///< three-dimensional finite elements, of any mesh; all MPI ranks solve it together
+  revolution ///< displacement harmonics on a meridional mesh; rim and table may be wavy, the table elastic
 };
-
-/// Abilities that only one of the two kinds of body has.
-struct BodyAbilities
-{
-  bool is_of_revolution; ///< axisymmetric; rim and table may be wavy
-  bool stands_on_elastic_disc = is_of_revolution;
-  bool reads_meshes = !is_of_revolution;                  ///< takes its shape from Contact/Mesh file
-  bool is_collective = !is_of_revolution;                 ///< all MPI ranks solve together
-  unsigned int highest_degree = is_of_revolution ? 4 : 2; ///< of the elements
-};
-
-constexpr BodyAbilities abilities(BodyKind body)
-{
-  return { body == BodyKind::revolution };
-}
 
 enum class FrictionCoupling
 {
@@ -79,6 +64,10 @@ struct ContactSection
   double goal_tolerance = 1e-5; ///< tolerance of the goal's estimated error, relative to the goal's value
   double memory_limit = 4e9;    ///< estimated memory above which a study is refused [byte]
 
+  bool is_of_revolution() const { return body == BodyKind::revolution; }
+  /// Returns the highest degree of the elements.
+  unsigned int highest_degree() const { return is_of_revolution() ? 4 : 2; }
+
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
   void declare(List &list)
@@ -87,9 +76,9 @@ struct ContactSection
     const bool has_contact = list.study.load.is_from_contact();
     const bool has_mesh_file = has_contact && !mesh_file.empty();
     const bool is_generated = has_contact && mesh_file.empty();
-    const bool is_of_revolution = has_contact && abilities(body).is_of_revolution;
-    const bool is_crowned = is_of_revolution && list.study.glass.profile.crown_radius > 0;
-    const bool is_solid = has_contact && !is_of_revolution;
+    const bool is_revolved = has_contact && is_of_revolution();
+    const bool is_crowned = is_revolved && list.study.glass.profile.crown_radius > 0;
+    const bool is_solid = has_contact && !is_of_revolution();
     const bool is_generated_solid = is_solid && is_generated;
     list.enter("Contact", has_contact);
     list.choice("Body", body, { { "solid", BodyKind::solid }, { "revolution", BodyKind::revolution } },
@@ -136,11 +125,11 @@ struct ContactSection
       used_if(is_solid));
     list.count("Harmonics", harmonics, 1, 1000,
                "Elastic harmonics of a body of revolution; without effect on a solid body",
-               used_if(is_of_revolution));
+               used_if(is_revolved));
     list.count("Azimuth lines", azimuth_lines, 16, 100000,
                "Azimuths at which a body of revolution meets the table, more than twice the harmonics; "
                "without effect on a solid body",
-               used_if(is_of_revolution));
+               used_if(is_revolved));
     list.count("Rings", rings, 1, max_rings,
                "Circles that take the pressure over, with all its radial moments below that number; 1: one "
                "ring of the radius that the moment asks for. More than 25 would magnify rounding");

@@ -3,8 +3,8 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text_file.h"
+#include "fem/pipeline/study/column_table.h"
 #include "fem/pipeline/study/quantity_text.h"
-#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/trim.hpp>
 
@@ -55,27 +55,21 @@ std::optional<double> ring_radius_in(const std::string &setting, const std::stri
 
 } // namespace
 
-std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
-                                      const std::vector<FileColumn> &columns)
-{
-  return parse_columns(setting, read_input_text(setting, file), columns);
-}
-
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file)
 {
   const std::string setting = "Motion/Orbit speed file = " + shortened_path(file);
   std::vector<double> times, speeds;
-  for (const FileRow &row :
-       read_column_file(setting, file, { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } }))
+  for (const auto &row : parse_columns(setting, read_input_text(setting, file),
+                                       { { { "t", "time" }, "s" }, { { "v", "speed", "velocity" }, "m/s" } }))
   {
     const std::string place = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
-    ensure(row.values[1] > 0 || (row.values[1] == 0 && (speeds.empty() || speeds.back() == 0)),
+    ensure(row.cells[1] > 0 || (row.cells[1] == 0 && (speeds.empty() || speeds.back() == 0)),
            place + "the speed is not greater than 0, which it may be at the beginning only; end the table "
                    "before the hand stops.");
-    ensure(times.empty() || row.values[0] > times.back(),
+    ensure(times.empty() || row.cells[0] > times.back(),
            place + "the time is not later than in the row before; sort the rows by time.");
-    times.push_back(row.values[0]);
-    speeds.push_back(row.values[1]);
+    times.push_back(row.cells[0]);
+    speeds.push_back(row.cells[1]);
   }
   ensure(times.size() >= 2, setting + " has one row; give at least two.");
   try
@@ -95,7 +89,7 @@ ring::RingStack read_load_file(const std::string &file)
   const std::optional<double> radius = ring_radius_in(setting, text);
   const TextTable table = parse_table(setting, text, true);
   std::vector<double> all_a, all_b;
-  for (const TableRow &row : table.rows)
+  for (const auto &row : table.rows)
   {
     const std::string where = fmt::format(FMT_STRING("{}, line {}: "), setting, row.line);
     ensure(all_a.size() <= max_harmonics,

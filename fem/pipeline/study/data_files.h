@@ -1,20 +1,14 @@
 #pragma once
 
-#include "fem/pipeline/study/column_table.h"
 #include "ring_model/load/ring_stack.h"
 #include "ring_model/orbit_speed_table.h"
 
 #include <string>
-#include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Reads a file of numbers by parse_columns(). Throws BadInput, also for a file that cannot be read.
-std::vector<FileRow> read_column_file(const std::string &setting, const std::string &file,
-                                      const std::vector<FileColumn> &columns);
-
-/// Reads the orbit speed v(t) from Motion/Orbit speed file by read_column_file(): times increase, and speeds
+/// Reads the orbit speed v(t) from Motion/Orbit speed file by parse_columns(): times increase, and speeds
 /// are positive except at the beginning, where the hand may be at rest. Throws BadInput that names the line.
 ring::OrbitSpeedTable read_orbit_speed_file(const std::string &file);
 

@@ -2,7 +2,8 @@
 
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/study/data_files.h"
+#include "fem/pipeline/base/text_file.h"
+#include "fem/pipeline/study/column_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +26,10 @@ std::string entry_of(const std::string &file)
 std::vector<fem::SectionVertex> points_in(const std::string &file)
 {
   std::vector<fem::SectionVertex> points;
-  for (const FileRow &row :
-       read_column_file(entry_of(file), file, { { { "r", "radius" }, "m" }, { { "z", "height" }, "m" } }))
+  for (const auto &row : parse_columns(entry_of(file), read_input_text(entry_of(file), file),
+                                       { { { "r", "radius" }, "m" }, { { "z", "height" }, "m" } }))
   {
-    const double r = row.values[0], z = row.values[1];
+    const double r = row.cells[0], z = row.cells[1];
     ensure(std::abs(r) < 1 && std::abs(z) < 1,
            fmt::format(FMT_STRING("{}, line {}: r = {} m, z = {} m is larger than any glass; these look like "
                                   "millimetres: write \"r (mm), z (mm)\" as the first line."),

@@ -39,7 +39,7 @@ struct Study
   bool varies_with_spin() const { return load.is_in_balance() && depends_on_spin(); }
 
   /// Returns true if all ranks must solve the foot together.
-  bool is_collective() const { return load.is_from_contact() && abilities(contact.body).is_collective; }
+  bool is_collective() const { return load.is_from_contact() && !contact.is_of_revolution(); }
 
   /// Returns FootResolution::edge_halvings of a solid foot: fem::edge_halvings_for() for a generated mesh,
   /// but at most 2 with a goal, whose mesh is refined further; 0 for a mesh file.

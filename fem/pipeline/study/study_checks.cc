@@ -83,17 +83,17 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
 /// Refuses settings that Contact/Body excludes, and load harmonics with two or fewer lines per wavelength.
 void require_able_body(const ContactSection &contact, const TableSection &table)
 {
-  const BodyAbilities can = abilities(contact.body);
-  ensure(can.reads_meshes || contact.mesh_file.empty(),
+  const bool is_of_revolution = contact.is_of_revolution();
+  ensure(!is_of_revolution || contact.mesh_file.empty(),
          "Contact/Mesh file = " + shortened_path(contact.mesh_file) +
            " is read by a solid body only; set Contact/Body = solid, or leave Mesh file empty.");
-  ensure(contact.degree <= can.highest_degree,
+  ensure(contact.degree <= contact.highest_degree(),
          "Contact/Degree = " + std::to_string(contact.degree) +
            " is not allowed for Contact/Body = solid; give 1 or 2, or set Contact/Body = revolution.");
-  ensure(can.stands_on_elastic_disc || !table.make().substrate,
+  ensure(is_of_revolution || !table.make().substrate,
          "Table/Substrate = elastic needs a body of revolution; set Contact/Body = revolution, or "
          "Table/Substrate = rigid.");
-  ensure(!can.is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
+  ensure(!is_of_revolution || 2 * contact.load_harmonics < contact.azimuth_lines,
          filled("Contact/Load harmonics = {} needs more than {} Contact/Azimuth lines, not {}; give more "
                 "lines, or fewer load harmonics.",
                 { std::to_string(contact.load_harmonics), std::to_string(2 * contact.load_harmonics),
@@ -119,7 +119,7 @@ void require_goal_with_estimate(const ContactSection &contact, const TableSectio
   if (contact.goal == Goal::none)
     return;
   const std::string rest = ", or set Contact/Goal = none.";
-  ensure(!abilities(contact.body).is_of_revolution,
+  ensure(!contact.is_of_revolution(),
          "Contact/Goal is given for a body of revolution, but halves cells of a solid body only; write "
          "Contact/Refinements, which halves all cells at little cost, or Contact/Body = solid" +
            rest);
@@ -152,7 +152,7 @@ void require_known_waviness(const std::string &entry, const Waviness &waviness, 
 {
   if (waviness.empty())
     return;
-  ensure(abilities(contact.body).is_of_revolution,
+  ensure(contact.is_of_revolution(),
          entry + " needs a body of revolution; set Contact/Body = revolution, or leave " + entry +
            " empty and draw the foot in a mesh file.");
   ensure(load.is_from_contact(),
@@ -234,7 +234,7 @@ void require_known_speeds(const Study &study)
            study.load.coupling == LoadCoupling::two_way,
          needs +
            "a load in balance at every speed; set Load/Coupling = two-way, and no given moment or load.");
-  ensure(!study.load.is_from_contact() || !abilities(study.contact.body).is_collective,
+  ensure(!study.load.is_from_contact() || study.contact.is_of_revolution(),
          needs + "a body of revolution; set Contact/Body = revolution.");
   ensure(!study.has_waviness(),
          needs + "a flat rim on a flat table; leave Glass/Rim waviness and Table/Waviness empty.");

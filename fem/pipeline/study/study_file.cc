@@ -370,10 +370,10 @@ Study with_paths_from(const std::filesystem::path &folder, Study study)
   return study;
 }
 
-Json study_as_json(const Study &study)
+Json study_as_json(const std::vector<StudyEntry> &entries)
 {
   Json sections;
-  for (const StudyEntry &entry : entries_of(study))
+  for (const StudyEntry &entry : entries)
     std::visit([&](const auto &value) { sections[entry.section][entry.name] = value; }, entry.value());
   return sections;
 }

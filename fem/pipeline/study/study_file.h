@@ -48,8 +48,8 @@ std::vector<std::string> files_of(const std::vector<StudyEntry> &entries);
 /// Returns @p study with its paths relative to a study file in @p folder.
 Study with_paths_from(const std::filesystem::path &folder, Study study);
 
-/// Returns the values as nested JSON objects: section, entry, value.
-Json study_as_json(const Study &study);
+/// Returns the values of @p entries as nested JSON objects: section, entry, value.
+Json study_as_json(const std::vector<StudyEntry> &entries);
 
 /// Returns the study as a .prm file.
 std::string study_as_prm(const Study &study);

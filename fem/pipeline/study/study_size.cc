@@ -119,7 +119,7 @@ StudySize size_of(const Study &study)
   // The adaptive method takes about ten steps per second of motion; forward Euler uses Motion/Euler step.
   constexpr double longest_step = 0.1;
   size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
-  if (study.load.is_from_contact() && abilities(study.contact.body).is_of_revolution)
+  if (study.load.is_from_contact() && study.contact.is_of_revolution())
     add_body_of_revolution(study.contact, study.glass.profile, study.table, size);
   else if (study.load.is_from_contact())
     add_solid_body(study.contact, study.edge_halvings(), size);

@@ -104,7 +104,7 @@ private:
 
   void read_row()
   {
-    TableRow row = { {}, line };
+    TableRow<std::string> row = { {}, line };
     bool is_last = false;
     while (!is_last)
       row.cells.push_back(read_cell(is_last));
@@ -169,10 +169,10 @@ private:
 
 } // namespace
 
-std::string TextTable::with_point(std::string cell) const
+std::string with_decimal_point(std::string cell)
 {
   const auto comma = cell.find(',');
-  if (separator != ',' && comma != std::string::npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
+  if (comma != std::string::npos && cell.find_first_of(",.", comma + 1) == cell.npos &&
       cell.find('.') == cell.npos)
     cell[comma] = '.';
   return cell;
@@ -183,7 +183,7 @@ TextTable parse_table(const std::string &origin, const std::string &text, bool b
   return TableReader(origin, text, blanks_separate).read();
 }
 
-ColumnHeading parse_heading(const std::string &cell)
+std::pair<std::string, std::string> parse_heading(const std::string &cell)
 {
   const bool is_round = !cell.empty() && cell.back() == ')', is_square = !cell.empty() && cell.back() == ']';
   const auto begin = is_round ? cell.rfind('(') : is_square ? cell.rfind('[') : cell.npos;
@@ -193,9 +193,9 @@ ColumnHeading parse_heading(const std::string &cell)
            boost::trim_copy(cell.substr(begin + 1, cell.size() - begin - 2)) };
 }
 
-std::string position_in_table(const std::string &setting, const TableRow &row, std::size_t column)
+std::string position_in_table(const std::string &setting, unsigned int line, std::size_t column)
 {
-  return setting + ", line " + std::to_string(row.line) + ", column " + std::to_string(column + 1) + ": ";
+  return setting + ", line " + std::to_string(line) + ", column " + std::to_string(column + 1) + ": ";
 }
 
 } // namespace stemware::pipeline

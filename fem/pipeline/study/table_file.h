@@ -1,26 +1,36 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Row of a text table.
+/// Row of a table.
+template <typename Cell>
 struct TableRow
 {
-  std::vector<std::string> cells; ///< without blanks at their ends
-  unsigned int line = 0;          ///< line of the file in which the row begins, counted from 1
+  std::vector<Cell> cells;
+  unsigned int line = 0; ///< line of the file in which the row begins, counted from 1
 };
+
+/// Returns @p cell with a decimal point for its only comma, if it has no point.
+std::string with_decimal_point(std::string cell);
 
 /// Table of texts, as exported by spreadsheets, phones and instruments.
 struct TextTable
 {
-  std::vector<TableRow> rows; ///< a heading, if there is one, comes first
-  char separator = '\n';      ///< between the cells; line end: one cell per row
+  /// Cells without blanks at their ends; a heading, if there is one, comes first.
+  std::vector<TableRow<std::string>> rows;
+  char separator = '\n'; ///< between the cells; line end: one cell per row
 
   /// Returns @p cell with a decimal point for a decimal comma ("4,007 mm"), unless commas separate cells.
-  std::string with_point(std::string cell) const;
+  std::string with_point(const std::string &cell) const
+  {
+    return separator == ',' ? cell : with_decimal_point(cell);
+  }
 };
 
 /// Reads a table from @p text. Semicolons, tabs or commas separate the cells: the first of these that the
@@ -30,17 +40,11 @@ struct TextTable
 /// skipped. Throws BadInput, with @p origin and the line, for an open quote and an invalid "sep=".
 TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate = false);
 
-/// Heading of a column.
-struct ColumnHeading
-{
-  std::string name;
-  std::string unit; ///< text in the last round or square brackets, or empty
-};
-
-/// Splits "Motion/Mass (g)" into name and unit.
-ColumnHeading parse_heading(const std::string &cell);
+/// Splits a heading "Motion/Mass (g)" into name and unit, the text in the last round or square brackets, or
+/// empty.
+std::pair<std::string, std::string> parse_heading(const std::string &cell);
 
 /// Returns "setting, line 3, column 2: "; @p column is counted from 0, in the text from 1.
-std::string position_in_table(const std::string &setting, const TableRow &row, std::size_t column);
+std::string position_in_table(const std::string &setting, unsigned int line, std::size_t column);
 
 } // namespace stemware::pipeline

@@ -235,7 +235,7 @@ TEST(ErrorBands, ExistForExactlyTheBudgetRowsWithAContactAndAgreeWithTheSpinBand
   const test::SolvedStudy solved(study);
   fem::ComplianceCache cache;
   const StudyRows answers = rows_by_harmonics({ study, solved.foot, ThreadedExecutor(cache) }, solved.load,
-                                              Depth::full, model_chain(study));
+                                              Depth::full, model_chain({ study }));
   std::vector<BudgetRow> rows = assess_chain(answers);
   ASSERT_EQ(rows.back().step.number, 11u); // rows 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands = estimate_bands({ study, solved.foot, ThreadedExecutor(cache) }, solved.row,

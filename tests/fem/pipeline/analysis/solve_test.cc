@@ -51,7 +51,7 @@ TEST(Solve, ResultsDoNotDependOnTheOrderOfTheVariants)
 {
   const SolvedStudy solved(quick_contact_study());
   std::vector<Variant> variants = variants_without({ solved.foot->specification() });
-  for (const Variant &model : model_chain(solved.study))
+  for (const Variant &model : model_chain({ solved.study }))
     variants.push_back(model);
   fem::ComplianceCache cache;
   const std::vector<LoadedRow> rows = solve_rows(variants, solved.foot, {}, ThreadedExecutor(cache));

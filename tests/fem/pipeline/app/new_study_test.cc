@@ -40,8 +40,8 @@ TEST(NewStudy, WritesTheDefaultStudyInTwelveCommentedEntries)
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_THAT(ended.out, testing::HasSubstr("stemware run my_glass.prm"));
   EXPECT_EQ(count_entries(read_text(scratch / "my_glass.prm")), std::pair(12u, 0u));
-  EXPECT_EQ(pipeline::study_as_json(pipeline::read_study(scratch / "my_glass.prm")),
-            pipeline::study_as_json(pipeline::Study()));
+  EXPECT_EQ(pipeline::study_as_json(pipeline::entries_of(pipeline::read_study(scratch / "my_glass.prm"))),
+            pipeline::study_as_json(pipeline::entries_of(pipeline::Study())));
 }
 
 TEST(NewStudy, EveryPairOfPresetsIsAPlausibleStudy)

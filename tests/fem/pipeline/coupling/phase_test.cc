@@ -1,4 +1,3 @@
-#include "fem/pipeline/coupling/study_balance.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"

@@ -13,7 +13,7 @@ namespace
 const std::vector<FileColumn> time_and_spin = { { { "t", "time" }, "s" },
                                                 { { "omega", "ω", "gyroscope z" }, "rad/s" } };
 
-std::vector<FileRow> read(const std::string &text)
+std::vector<TableRow<double>> read(const std::string &text)
 {
   return parse_columns("run.csv", text, time_and_spin);
 }
@@ -27,7 +27,7 @@ TEST(ColumnTable, ReadsSpinsInTurnsOrDegreesPerTime)
 {
   for (const auto &[unit, factor] : { std::pair("rpm", ring::pi / 30), std::pair("rev/s", 2 * ring::pi),
                                       std::pair("°/s", ring::pi / 180), std::pair("deg/s", ring::pi / 180) })
-    EXPECT_NEAR(read(std::string("t (s), omega (") + unit + ")\n1,-60\n").at(0).values[1], -60 * factor,
+    EXPECT_NEAR(read(std::string("t (s), omega (") + unit + ")\n1,-60\n").at(0).cells[1], -60 * factor,
                 60 * factor * 1e-15)
       << unit;
 }

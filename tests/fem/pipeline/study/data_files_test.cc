@@ -1,3 +1,5 @@
+#include "fem/pipeline/base/text_file.h"
+#include "fem/pipeline/study/column_table.h"
 #include "fem/pipeline/study/data_files.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
@@ -16,9 +18,9 @@ using test::ScratchFolder;
 
 const std::vector<FileColumn> time_and_speed = { { { "t", "time" }, "s" }, { { "v", "speed" }, "m/s" } };
 
-std::vector<FileRow> rows_of(const std::string &file)
+std::vector<TableRow<double>> rows_of(const std::string &file)
 {
-  return read_column_file("Entry = my.csv", file, time_and_speed);
+  return parse_columns("Entry = my.csv", read_input_text("Entry = my.csv", file), time_and_speed);
 }
 
 std::string column_refusal(const std::string &file)
@@ -37,12 +39,12 @@ TEST(ColumnFile, ReadsAnySeparatorUnitHeadingAndOrderOfColumns)
          "t ms, v cm/s\n5e2, 20\n+1500, 35\n" })
   {
     SCOPED_TRACE(text);
-    const std::vector<FileRow> rows = rows_of(scratch.write("my.csv", text));
+    const std::vector<TableRow<double>> rows = rows_of(scratch.write("my.csv", text));
     ASSERT_EQ(rows.size(), 2u);
-    EXPECT_DOUBLE_EQ(rows[0].values.at(0), 0.5);
-    EXPECT_DOUBLE_EQ(rows[0].values.at(1), 0.2);
-    EXPECT_DOUBLE_EQ(rows[1].values.at(0), 1.5);
-    EXPECT_DOUBLE_EQ(rows[1].values.at(1), 0.35);
+    EXPECT_DOUBLE_EQ(rows[0].cells.at(0), 0.5);
+    EXPECT_DOUBLE_EQ(rows[0].cells.at(1), 0.2);
+    EXPECT_DOUBLE_EQ(rows[1].cells.at(0), 1.5);
+    EXPECT_DOUBLE_EQ(rows[1].cells.at(1), 0.35);
   }
   EXPECT_EQ(rows_of(scratch.write("my.csv", "\n# one\n\n1 2\n")).front().line, 4u);
 }

@@ -125,7 +125,7 @@ TEST(QuantityText, ValuesAreStoredInSiUnits)
                                   { { "Motion/Mass", "250 g" },
                                     { "Glass/Young modulus", "60 GPa" },
                                     { "Glass/Rim waviness", "3: 2 um @ 90 deg" } });
-  const auto json = study_as_json(study);
+  const auto json = study_as_json(entries_of(study));
   EXPECT_EQ(json["Motion"]["Mass"], 0.25);
   EXPECT_EQ(json["Glass"]["Young modulus"], 6e10);
   EXPECT_EQ(study.glass.waviness.front().amplitude, 2e-6);

@@ -160,7 +160,7 @@ std::vector<FuzzedReader> made_readers()
   return { { "prm", ".prm", { text_in_docs("wine_glass.prm"), commented_defaults() }, read_given_study },
            { "json",
              ".json",
-             { study_as_json(Study()).dump(2), "{\"Glass\": {\"Contact radius\": 0.03}}" },
+             { study_as_json(entries_of(Study())).dump(2), "{\"Glass\": {\"Contact radius\": 0.03}}" },
              read_given_study },
            { "profile", ".csv", { text_in_docs("own_profile.csv") }, read_profile },
            { "speeds", ".csv", { text_in_docs("hand_speed.csv"), "0;0,2\n1;0,3\n2;0,35\n" }, read_speeds },

@@ -75,8 +75,8 @@ TEST(TableFile, SeparatesNameAndUnitOfAHeading)
          std::tuple("Motion/Orbit speed [cm/s]", "Motion/Orbit speed", "cm/s"),
          std::tuple("Motion/Closure", "Motion/Closure", ""), std::tuple("", "", "") })
   {
-    EXPECT_EQ(parse_heading(cell).name, name);
-    EXPECT_EQ(parse_heading(cell).unit, unit);
+    EXPECT_EQ(parse_heading(cell).first, name);
+    EXPECT_EQ(parse_heading(cell).second, unit);
   }
 }
 

@@ -1,11 +1,13 @@
-#include "fem/pipeline/coupling/driven_load.h"
+#include "fem/pipeline/analysis/driven_spin_up.h"
 
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/balanced_contact.h"
-#include "fem/pipeline/coupling/study_balance.h"
+#include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
+
+#include <algorithm>
 
 namespace stemware::pipeline
 {
@@ -27,8 +29,7 @@ auto unless_it_tips(const Solve &solve, const Sentence &sentence)
   }
 }
 
-} // namespace
-
+/// Returns tau_z(t, psi, omega) [N m] without the grip, independent of the yaw angle psi.
 ring::PhasedTorqueFunction driven_torque(const MotionSection &motion, double contact_radius,
                                          const std::shared_ptr<ElasticFoot> &foot)
 {
@@ -59,6 +60,8 @@ ring::PhasedTorqueFunction driven_torque(const MotionSection &motion, double con
   return ring::driven_torque(motion.orbit, speeds, load);
 }
 
+/// Returns the breakaway of a hand that starts from rest, with Motion/Breakaway friction or the law's
+/// coefficient at rest. Throws BadInput if the glass tips before it slides.
 ring::Breakaway find_breakaway(const MotionSection &motion, double contact_radius,
                                const std::shared_ptr<ElasticFoot> &foot)
 {
@@ -83,6 +86,41 @@ ring::Breakaway find_breakaway(const MotionSection &motion, double contact_radiu
   breakaway.moment_ratio =
     2 * unless_it_tips(solve, tipping_message) / (balance.motion.normal_force() * contact_radius);
   return breakaway;
+}
+
+} // namespace
+
+std::optional<DrivenSpinUp> driven_spin_up(const MotionSection &motion, double contact_radius,
+                                           const std::shared_ptr<ElasticFoot> &foot,
+                                           const std::vector<double> &times,
+                                           const ring::TimeObserver &observer)
+{
+  if (!motion.orbit_speeds)
+    return std::nullopt;
+  const ring::OrbitSpeedTable &speeds = *motion.orbit_speeds;
+  DrivenSpinUp driven;
+  if (speeds.starts_from_rest())
+    driven.breakaway = find_breakaway(motion, contact_radius, foot);
+  // A step takes about a dozen contact solves, and measured speeds are less accurate than 1e-6.
+  const double accuracy = foot ? 1e-6 : 1e-10;
+  const ring::PhasedTorqueFunction torque =
+    ring::observed(driven_torque(motion, contact_radius, foot), observer);
+  const std::vector<ring::YawSample> samples =
+    ring::driven_motion(torque, speeds, motion.orbit, motion.grip_torque, contact_radius, times, accuracy);
+  const std::vector<double> changes = ring::interpolation_changes(
+    motion.closure, motion.orbit, motion.grip_torque, contact_radius, speeds, times);
+  driven.time = times;
+  for (const double time : times)
+  {
+    driven.speed.push_back(speeds.speed(time));
+    driven.acceleration.push_back(speeds.acceleration(time));
+  }
+  for (const ring::YawSample &sample : samples)
+    driven.omega.push_back(sample.omega);
+  driven.integration_error = accuracy * motion.orbit.orbit_speed / contact_radius;
+  driven.interpolation_change_at_end = changes.back();
+  driven.interpolation_change = *std::max_element(changes.begin(), changes.end());
+  return driven;
 }
 
 } // namespace stemware::pipeline
