@@ -369,8 +369,8 @@ ErrorBands bands_of(const Study &study, const std::shared_ptr<ElasticFoot> &foot
   }
   widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
-    if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
-      banded.add("interpolation", all.spin_uncertainty);
+    if (banded.quantity.key == "omega_terminal" && all.terminal && all.terminal->uncertainty > 0)
+      banded.add("interpolation", all.terminal->uncertainty);
   return bands;
 }
 

@@ -376,7 +376,7 @@ TEST(Budget, WavyRimWithoutInterfaceComplianceSpinsAsOnAHardTable)
                                        {}, ThreadedExecutor(cache))
                               .front()
                               .row;
-  EXPECT_GT(hard.ripple, 0);
+  EXPECT_GT(hard.terminal->ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }
 
