@@ -25,7 +25,6 @@ set(STEMWARE_PORTABLE
     fem/revolution/fourier_basis.
     fem/revolution/line_bundle.
     fem/revolution/line_newton.
-    fem/revolution/pressure_field.
     fem/revolution/revolution_contact.
     fem/revolution/revolution_foot.
     fem/revolution/revolution_setup.

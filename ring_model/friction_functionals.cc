@@ -60,7 +60,7 @@ Wrench wrench(const FrictionLaw &law, const RingStack &load, const Eigen::Vector
 
 Wrench coulomb_wrench(double mu, const RingStack &load, double omega, double speed)
 {
-  return friction_functionals(CoulombLaw(mu), load.radii(), load.n_harmonics(), omega, speed)(load);
+  return friction_functionals(coulomb_law(mu), load.radii(), load.n_harmonics(), omega, speed)(load);
 }
 
 TorqueByHarmonics::TorqueByHarmonics(const Motion &motion, const RingStack &load, double omega)

@@ -12,29 +12,31 @@
 
 namespace stemware::ring
 {
-StribeckLaw::StribeckLaw(const Parameters &parameters)
-    : parameters(parameters)
+StribeckLaw::StribeckLaw(double static_coefficient, double kinetic_coefficient, double decay_speed,
+                         double viscous, double decay_exponent)
+    : static_coefficient(static_coefficient)
+    , kinetic_coefficient(kinetic_coefficient)
+    , decay_speed(decay_speed)
+    , viscous(viscous)
+    , decay_exponent(decay_exponent)
 {
-  for (const double coefficient :
-       { parameters.static_coefficient, parameters.kinetic_coefficient, parameters.viscous })
+  for (const double coefficient : { static_coefficient, kinetic_coefficient, viscous })
     require(std::isfinite(coefficient) && coefficient >= 0., "a coefficient of the friction law is ",
             coefficient, ", but must be finite and not negative");
-  require_positive(parameters.decay_speed, "the decay speed of Stribeck's law", "m/s");
-  require_positive(parameters.decay_exponent, "the decay exponent of Stribeck's law", "");
+  require_positive(decay_speed, "the decay speed of Stribeck's law", "m/s");
+  require_positive(decay_exponent, "the decay exponent of Stribeck's law", "");
 }
 
 double StribeckLaw::coefficient(double slip_speed) const
 {
-  const double ratio = slip_speed / parameters.decay_speed, exponent = parameters.decay_exponent;
-  const double decay = std::exp(-(exponent == 2. ? ratio * ratio : std::pow(ratio, exponent)));
-  return parameters.kinetic_coefficient +
-         (parameters.static_coefficient - parameters.kinetic_coefficient) * decay +
-         parameters.viscous * slip_speed;
+  const double ratio = slip_speed / decay_speed;
+  const double decay = std::exp(-(decay_exponent == 2. ? ratio * ratio : std::pow(ratio, decay_exponent)));
+  return kinetic_coefficient + (static_coefficient - kinetic_coefficient) * decay + viscous * slip_speed;
 }
 
 bool StribeckLaw::is_constant() const
 {
-  return parameters.static_coefficient == parameters.kinetic_coefficient && parameters.viscous == 0.;
+  return static_coefficient == kinetic_coefficient && viscous == 0.;
 }
 
 namespace
@@ -175,8 +177,8 @@ StribeckLaw friction_law_of(const Motion &motion)
 {
   const double mu = motion.friction_coefficient;
   if (motion.friction_law == FrictionLawKind::coulomb)
-    return CoulombLaw(mu);
-  return StribeckLaw({ motion.static_coefficient, mu, motion.friction_decay_speed, motion.viscous_friction });
+    return coulomb_law(mu);
+  return { motion.static_coefficient, mu, motion.friction_decay_speed, motion.viscous_friction };
 }
 
 Eigen::ArrayX3d friction_kernels(const FrictionLaw &law, double rim_speed, double speed, unsigned int n_max)

@@ -8,7 +8,7 @@ namespace stemware::ring
 {
 /// Coefficient of friction that depends on the local slip speed.
 ///
-///     const StribeckLaw law({ 0.4, 0.3, 0.1 }); // mu_s, mu_k, decay speed [m/s]
+///     const StribeckLaw law(0.4, 0.3, 0.1);     // mu_s, mu_k, decay speed [m/s]
 ///     const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega, v);
 ///     friction(load).torque; // tau_z [N m]
 class FrictionLaw
@@ -27,35 +27,24 @@ public:
 class StribeckLaw : public FrictionLaw
 {
 public:
-  /// Coefficients of the law.
-  struct Parameters
-  {
-    double static_coefficient;  ///< limit for vanishing slip
-    double kinetic_coefficient; ///< plateau at high slip speed
-    double decay_speed;         ///< [m/s]
-    double viscous = 0.;        ///< growth with the slip speed [s/m]
-    double decay_exponent = 2.; ///< 1: Tustin's form, 2: the usual one
-  };
-
-  /// Throws std::invalid_argument if a coefficient is negative, or decay speed or exponent not positive.
-  explicit StribeckLaw(const Parameters &parameters);
+  /// @p static_coefficient: limit for vanishing slip. @p kinetic_coefficient: plateau at high slip speed.
+  /// @p decay_speed [m/s]. @p viscous: growth with the slip speed [s/m]. @p decay_exponent: 1: Tustin's form,
+  /// 2: the usual one. Throws std::invalid_argument if a coefficient is negative, or decay speed or exponent
+  /// not positive.
+  StribeckLaw(double static_coefficient, double kinetic_coefficient, double decay_speed, double viscous = 0.,
+              double decay_exponent = 2.);
   double coefficient(double slip_speed) const override;
   bool is_constant() const override;
 
 private:
-  Parameters parameters;
+  double static_coefficient, kinetic_coefficient, decay_speed, viscous, decay_exponent;
 };
 
-/// Coulomb's law: one coefficient.
-class CoulombLaw : public StribeckLaw
+/// Returns Coulomb's law: one coefficient @p mu. Throws std::invalid_argument if it is negative.
+inline StribeckLaw coulomb_law(double mu)
 {
-public:
-  /// Throws std::invalid_argument if @p mu is negative.
-  explicit CoulombLaw(double mu)
-      : StribeckLaw({ mu, mu, 1. })
-  {
-  }
-};
+  return { mu, mu, 1. };
+}
 
 /// Returns the friction law of @p motion.
 StribeckLaw friction_law_of(const Motion &motion);

@@ -35,7 +35,6 @@ void points_gathered_at_ends(double lower, double upper, const Add &add)
 SlidingBody::SlidingBody(double inner_radius, double outer_radius)
     : inner(inner_radius)
     , outer(outer_radius)
-    , mean_square(outer_radius * outer_radius)
 {
 }
 
@@ -63,11 +62,10 @@ SlidingBody SlidingBody::with_pressure(Pressure pressure, double inner_radius, d
   require(sum > 0., "the pressure vanishes from ", inner_radius, " to ", outer_radius,
           " m, but must be positive somewhere");
   body.unit = 1. / sum;
-  body.mean_square = body.mean_power(2.);
   return body;
 }
 
-std::vector<WeightedRing> SlidingBody::rings(double still) const
+std::vector<std::pair<double, double>> SlidingBody::rings(double still) const
 {
   if (inner == outer)
     return { { outer, 1. } };
@@ -84,12 +82,12 @@ std::vector<WeightedRing> SlidingBody::rings(double still) const
   const std::vector<double> values = pressure(radii);
   require(values.size() == radii.size(), "the pressure has ", values.size(), " values for ", radii.size(),
           " radii; give equally many");
-  std::vector<WeightedRing> nodes;
+  std::vector<std::pair<double, double>> nodes;
   for (std::size_t i = 0; i < radii.size(); ++i)
   {
     require(std::isfinite(values[i]) && values[i] >= 0., "the pressure at ", radii[i], " m is ", values[i],
             ", but must be finite and not negative");
-    nodes.push_back({ radii[i], unit * values[i] * radii[i] * widths[i] });
+    nodes.emplace_back(radii[i], unit * values[i] * radii[i] * widths[i]);
   }
   return nodes;
 }
@@ -97,8 +95,8 @@ std::vector<WeightedRing> SlidingBody::rings(double still) const
 double SlidingBody::mean_power(double exponent) const
 {
   double sum = 0.;
-  for (const WeightedRing &one : rings(HUGE_VAL))
-    sum += one.weight * std::pow(one.radius, exponent);
+  for (const auto &[radius, weight] : rings(HUGE_VAL))
+    sum += weight * std::pow(radius, exponent);
   return sum;
 }
 
@@ -106,11 +104,11 @@ Wrench SlidingBody::friction(double limit, double speed, double omega) const
 {
   require_positive(limit, "the friction mu N", "N");
   double drag = 0., torque = 0.;
-  for (const WeightedRing &one : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
+  for (const auto &[radius, weight] : rings(omega == 0. ? HUGE_VAL : speed / std::abs(omega)))
   {
-    const FrictionKernels kernels(omega * one.radius, speed, 0);
-    drag += one.weight * kernels.U(0);
-    torque += one.weight * one.radius * kernels.K(0);
+    const FrictionKernels kernels(omega * radius, speed, 0);
+    drag += weight * kernels.U(0);
+    torque += weight * radius * kernels.K(0);
   }
   const double scale = limit / (2. * pi);
   return { scale * torque, -scale * drag, 0. };

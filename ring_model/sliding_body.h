@@ -3,17 +3,11 @@
 #include "ring_model/friction_functionals.h"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace stemware::ring
 {
-/// One of the rings that represent a body.
-struct WeightedRing
-{
-  double radius; ///< [m]
-  double weight; ///< share of the normal force (and of the mass), positive; all shares add up to 1
-};
-
 /// Flat-bottomed body: a ring, an annulus or a disc of uniform pressure, or any pressure p(r).
 class SlidingBody
 {
@@ -35,19 +29,12 @@ public:
   /// 0 somewhere.
   static SlidingBody with_pressure(Pressure pressure, double inner_radius, double outer_radius);
 
-  /// Returns the rings at Gauss nodes that represent the body, clustered at its two radii and on both sides
-  /// of @p still = v / |omega| [m], the radius of a point at rest, where friction is singular (x ln x).
-  /// Integrals over an annulus are exact to rounding.
-  std::vector<WeightedRing> rings(double still) const;
-
   /// Returns the outer radius [m].
   double outer_radius() const { return outer; }
 
-  /// Returns the mean of r^exponent over the weight [m^exponent].
+  /// Returns the mean of r^exponent over the weight [m^exponent]; of r^2 the squared gyration radius, if the
+  /// mass is spread like the weight.
   double mean_power(double exponent) const;
-
-  /// Returns the weight's mean of r^2 [m^2]: squared gyration radius if the mass is spread like the weight.
-  double mean_square_radius() const { return mean_square; }
 
   /// Returns the table's friction in the slip frame at the speed v >= 0 [m/s] and the spin omega [rad/s]. @p
   /// limit: mu N [N]. Throws std::invalid_argument if the body neither slides nor spins.
@@ -56,9 +43,14 @@ public:
 private:
   SlidingBody(double inner_radius, double outer_radius);
 
+  /// Returns radius [m] and weight (share of the normal force; all shares add up to 1) of rings at Gauss
+  /// nodes that represent the body, clustered at its two radii and on both sides of @p still = v / |omega|
+  /// [m], the radius of a point at rest, where friction is singular (x ln x). Integrals over an annulus are
+  /// exact to rounding.
+  std::vector<std::pair<double, double>> rings(double still) const;
+
   double inner, outer; ///< equal: one ring
   Pressure pressure = {};
   double unit = 1.; ///< weight per pressure and area
-  double mean_square;
 };
 } // namespace stemware::ring

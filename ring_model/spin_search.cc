@@ -1,10 +1,13 @@
 #include "ring_model/spin_search.h"
 
-#include "ring_model/inverse_interpolation.h"
+#include "ring_model/load/lagrange.h"
 #include "ring_model/load/require.h"
+
+#include <Eigen/Core>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <exception>
 #include <iterator>
 #include <map>
@@ -20,20 +23,64 @@ constexpr double first_step = 1. / 4.; ///< first spin without an initial guess
 /// Width below which an interval is not bisected any more; it bounds the error of BalanceLost::last_spin.
 constexpr double shortest_interval = 1. / 4096.;
 constexpr double scan_step = 1. / 16.; ///< step of a scan; two closer zeros may be missed
-/// Distance of two spins above which the difference of their torques is not dominated by rounding.
-constexpr double rounding_distance = 1e-6;
 /// Minimum distance of two spins from which a slope of the stability margin is computed. First: near the spin
 /// at which the balance ends; second: between rest and the zero.
 constexpr double margin_distance = 1. / 1024., margin_distance_on_the_way = 1. / 8192.;
-/// Maximum distance of an iterate from the known spin in find_terminal_spin_near().
-constexpr double neighbourhood = 1. / 10.;
-constexpr double least_size = 1e-3; ///< spin below which the tolerance is absolute
 
 /// Maximum ratio between the slope at the zero and the mean slope from rest to the zero (in either order). A
 /// larger ratio suggests an earlier zero between the samples.
 constexpr double steepness_ratio = 16.;
 constexpr unsigned int max_evaluations = 200; ///< per search; prevents endless cycles
-constexpr double unsteady = 0.9;              ///< stability margin below which the balance may end nearby
+
+/// Driving torque at a spin; both are positive in the direction of the torque at rest.
+struct DrivingTorque
+{
+  double spin;   ///< > 0 [rad/s]
+  double torque; ///< tau_z - tau_g [N m], positive before the zero
+};
+
+/// Returns whether the torque of @p one is closer to zero.
+bool has_smaller_torque(const DrivingTorque &one, const DrivingTorque &other)
+{
+  return std::abs(one.torque) < std::abs(other.torque);
+}
+
+/// Estimate of the spin at which the torque vanishes.
+struct Estimate
+{
+  double spin;  ///< estimate by the polynomial spin(torque) through at most four samples
+  double error; ///< difference to the estimate without the farthest sample
+};
+
+/// Returns the estimate from the one to four @p samples (not empty) of smallest |torque| between which the
+/// torque decreases with the spin; more would add rounding only. The error from one sample is HUGE_VAL.
+Estimate inverse_interpolation(std::vector<DrivingTorque> samples)
+{
+  std::sort(samples.begin(), samples.end(), has_smaller_torque);
+  const auto falls = [&](std::size_t n)
+  {
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (!((samples[i].torque - samples[j].torque) * (samples[i].spin - samples[j].spin) < 0.))
+          return false;
+    return true;
+  };
+  std::size_t n = std::min<std::size_t>(samples.size(), 4); // a cubic
+  while (!falls(n))
+    --n;
+  const auto through = [&](std::size_t n_used)
+  {
+    Eigen::VectorXd torques(n_used), distances(n_used); // relative to the spin of the smallest torque
+    for (std::size_t i = 0; i < n_used; ++i)
+    {
+      torques(i) = samples[i].torque;
+      distances(i) = samples[i].spin - samples.front().spin;
+    }
+    return samples.front().spin + lagrange_values(torques, 0.).dot(distances);
+  };
+  return n < 2 ? Estimate{ through(1), HUGE_VAL }
+               : Estimate{ through(n), std::abs(through(n) - through(n - 1)) };
+}
 
 [[noreturn]] void throw_balance_lost(const std::exception_ptr &failure, double last)
 {
@@ -117,7 +164,8 @@ private:
                    used.end());
       }
       const Estimate estimate = inverse_interpolation(used);
-      const double tolerance = search.tolerance * std::max(estimate.spin, least_size * search.spin_scale);
+      const double tolerance =
+        search.tolerance * std::max(estimate.spin, SpinSearch::least_size * search.spin_scale);
       if (estimate.error <= tolerance && !(failure && estimate.spin >= barrier))
         return estimate.spin;
       if (far && far->spin - near.spin <= tolerance)
@@ -216,7 +264,7 @@ private:
     for (std::size_t i = 1; i < way.size(); ++i)
       if (way[i].torque >= way[i - 1].torque)
         return true;
-    const double too_close = rounding_distance * search.spin_scale;
+    const double too_close = SpinSearch::rounding_distance * search.spin_scale;
     const DrivingTorque *nearest = nullptr;
     for (const DrivingTorque &sample : samples)
       if (std::abs(sample.spin - spin) > too_close &&
@@ -287,7 +335,7 @@ private:
     for (const DrivingTorque &sample : samples)
     {
       const auto next = squares.lower_bound(sample.spin - narrowest);
-      if (sample.spin <= (1. + rounding_distance) * spin &&
+      if (sample.spin <= (1. + SpinSearch::rounding_distance) * spin &&
           (next == squares.end() || next->first > sample.spin + narrowest))
         squares[sample.spin] = std::pow(search.stability_margin(direction * sample.spin), 2);
     }
@@ -302,7 +350,7 @@ private:
       const double width = right->first - left->first;
       const bool is_first = left == squares.begin(), is_last = std::next(right) == squares.end();
       const double lower = std::min(left->second, right->second);
-      if (lower > unsteady * unsteady || width <= 2.5 * narrowest)
+      if (lower > SpinSearch::unsteady * SpinSearch::unsteady || width <= 2.5 * narrowest)
         continue;
       if (width > scan_step * search.spin_scale)
         return (left->first + right->first) / 2.;
@@ -370,68 +418,29 @@ private:
 };
 } // namespace
 
-SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search)
+TerminalSpin find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search)
 {
   require_positive(search.spin_scale, "the spin scale v / R", "rad/s");
   require_positive(search.tolerance, "the tolerance of the terminal spin", "");
   require(std::isfinite(search.grip_torque) && search.grip_torque >= 0., "the grip torque is ",
           search.grip_torque, " N m, but must be finite and not negative");
-  unsigned int n_evaluations = 0;
-  const auto counted = [&](double omega)
+  const auto finite_torque = [&](double omega)
   {
-    ++n_evaluations;
     const double value = torque(omega);
     if (!std::isfinite(value))
       throw NoBalance(sentence("the yaw torque at ", omega, " rad/s is ", value, " N m"));
     return value;
   };
 
-  const double at_rest = counted(0.);
+  const double at_rest = finite_torque(0.);
   if (std::abs(at_rest) <= std::max(search.grip_torque, search.torque_noise))
-    return { 0., search.grip_torque > 0., n_evaluations, 0. };
+    return { 0., NAN, NAN, true, search.grip_torque > 0. };
   const double direction = at_rest > 0. ? 1. : -1.;
   const std::function<double(double)> driving_torque = [&](double spin)
-  { return direction * counted(direction * spin) - search.grip_torque; };
+  { return direction * finite_torque(direction * spin) - search.grip_torque; };
   const double expected = direction * search.initial_guess.value_or(0.);
   const double first = expected > 0. ? expected : first_step * search.spin_scale;
   OutwardSearch outward(driving_torque, std::abs(at_rest) - search.grip_torque, direction, search);
-  const double spin = outward.zero(first);
-  return { direction * spin, false, n_evaluations, direction * spin };
-}
-
-std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
-                                                const SpinSearch &search)
-{
-  constexpr unsigned int max_steps = 8;
-  constexpr double nearly = 1e-7;    // maximum relative length of the last step (without a new torque)
-  constexpr double of_another = 0.1; // assumed relative error of `known.slope`
-  const double grip = std::copysign(search.grip_torque, known.omega);
-  const double scale = std::max(std::abs(known.omega), least_size * search.spin_scale);
-  double spin = known.omega, slope = known.slope, slope_error = of_another;
-  double value = torque(spin) - grip;
-  for (unsigned int n = 1; n <= max_steps; ++n)
-  {
-    const double step = -value / slope, next = spin + step;
-    if (std::abs(step) <= nearly * scale && slope_error * std::abs(step) <= search.tolerance * scale)
-    {
-      if (search.stability_margin && search.stability_margin(spin) < unsteady)
-        return std::nullopt;
-      return SpinZero{ next, false, n, spin, slope };
-    }
-    if (!(std::abs(next - known.omega) <= neighbourhood * search.spin_scale))
-      return std::nullopt;
-    const double next_value = torque(next) - grip;
-    const double secant = (next_value - value) / step;
-    if (std::abs(step) > rounding_distance * search.spin_scale)
-    {
-      slope = secant;
-      slope_error = std::clamp(10 * std::abs(step) / search.spin_scale, 1e-3, of_another);
-    }
-    if (!(slope < 0))
-      return std::nullopt;
-    spin = next;
-    value = next_value;
-  }
-  return std::nullopt;
+  return { direction * outward.zero(first) };
 }
 } // namespace stemware::ring

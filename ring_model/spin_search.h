@@ -2,6 +2,7 @@
 
 #include "ring_model/failures.h"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 
@@ -25,16 +26,27 @@ struct SpinSearch
   std::function<double(double omega)> stability_margin = {};
   /// Returns the known spin without balance nearest to rest, between 0 and @p omega. Empty: unknown.
   std::function<std::optional<double>(double omega)> nearest_unbalanced_spin = {};
+
+  static constexpr double least_size = 1e-3; ///< spin over spin_scale below which the tolerance is absolute
+  static constexpr double unsteady = 0.9;    ///< stability margin below which the balance may end nearby
+  /// Distance of two spins over spin_scale above which the difference of their torques is not rounding.
+  static constexpr double rounding_distance = 1e-6;
 };
 
 /// Spin at which the torques on the glass balance.
-struct SpinZero
+struct TerminalSpin
 {
-  double omega;               ///< [rad/s]
-  bool held;                  ///< the fingers keep the glass at rest: |tau_z(0)| <= tau_g, tau_g > 0
-  unsigned int n_evaluations; ///< number of torques evaluated
-  double asked;               ///< last evaluated spin, at the zero or within 1e-7 of it [rad/s]
-  double slope = 0.;          ///< d tau_z / d omega [N m s]; of find_terminal_spin_near() only
+  double omega = 0.;          ///< [rad/s]
+  double torque_slope = NAN;  ///< d tau_z / d omega there [N m s]; NaN if unknown or held
+  double time_constant = NAN; ///< I_z / |slope| of approach (stable) or escape [s]; NaN likewise
+  bool stable = true;         ///< slope < 0, or unknown
+  bool held = false;          ///< the fingers keep the glass at rest: |tau_z(0)| <= tau_g, tau_g > 0
+  /// Last evaluated spin, at the zero or within 1e-7 of it [rad/s].
+  double evaluated_at = omega;
+  /// With phases: half the difference between the largest and the smallest spin after the transient [rad/s].
+  double ripple = 0.;
+  /// With phases: uncertainty of the mean spin [rad/s].
+  double uncertainty = 0.;
 };
 
 /// Finds the terminal spin reached from rest: the first zero of torque(omega) - tau_g sgn(omega) in the
@@ -54,19 +66,5 @@ struct SpinZero
 /// std::invalid_argument for inadmissible values, NoTerminalSpin if the torque does not change sign within 64
 /// spin scales, BalanceLost if the balance ends before a zero (located to 1/4096 spin scale), NoBalance if
 /// the search does not converge, what @p torque throws at rest.
-SpinZero find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
-
-/// Initial guess: stable zero of a similar torque.
-struct ZeroGuess
-{
-  double omega; ///< [rad/s], not 0
-  double slope; ///< d tau_z / d omega there [N m s], < 0
-};
-
-/// Finds the terminal spin near the zero of a similar torque by the secant method, with one to four
-/// evaluations. The result equals find_terminal_spin() if no further zeros have appeared. Returns
-/// std::nullopt if the method leaves the neighbourhood (a tenth of spin_scale), does not converge, or reaches
-/// a spin of small stability margin. Throws what @p torque throws.
-std::optional<SpinZero> find_terminal_spin_near(const ZeroGuess &known, const TorqueFunction &torque,
-                                                const SpinSearch &search);
+TerminalSpin find_terminal_spin(const TorqueFunction &torque, const SpinSearch &search);
 } // namespace stemware::ring

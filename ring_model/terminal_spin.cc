@@ -56,10 +56,45 @@ double torque_slope(const TorqueFunction &torque, double omega, double step)
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search)
 {
   require_positive(yaw_inertia, "the yaw inertia", "kg m^2");
-  const SpinZero zero = find_terminal_spin(torque, search);
-  if (zero.held)
-    return { 0., std::nan(""), std::nan(""), true, true };
-  return described(torque, yaw_inertia, zero.omega, search.spin_scale);
+  const TerminalSpin zero = find_terminal_spin(torque, search);
+  return zero.held ? zero : described(torque, yaw_inertia, zero.omega, search.spin_scale);
+}
+
+std::optional<TerminalSpin> find_terminal_spin_near(const TerminalSpin &known, const TorqueFunction &torque,
+                                                    const SpinSearch &search)
+{
+  constexpr unsigned int max_steps = 8;
+  constexpr double neighbourhood = 0.1; // maximum distance of an iterate from `known`, over the spin scale
+  constexpr double nearly = 1e-7;       // maximum relative length of the last step (without a new torque)
+  constexpr double of_another = 0.1;    // assumed relative error of `known.torque_slope`
+  const double grip = std::copysign(search.grip_torque, known.omega);
+  const double scale = std::max(std::abs(known.omega), SpinSearch::least_size * search.spin_scale);
+  double spin = known.omega, slope = known.torque_slope, slope_error = of_another;
+  double value = torque(spin) - grip;
+  for (unsigned int n = 0; n < max_steps; ++n)
+  {
+    const double step = -value / slope, next = spin + step;
+    if (std::abs(step) <= nearly * scale && slope_error * std::abs(step) <= search.tolerance * scale)
+    {
+      if (search.stability_margin && search.stability_margin(spin) < SpinSearch::unsteady)
+        return std::nullopt;
+      return TerminalSpin{ next, slope, NAN, true, false, spin };
+    }
+    if (!(std::abs(next - known.omega) <= neighbourhood * search.spin_scale))
+      return std::nullopt;
+    const double next_value = torque(next) - grip;
+    const double secant = (next_value - value) / step;
+    if (std::abs(step) > SpinSearch::rounding_distance * search.spin_scale)
+    {
+      slope = secant;
+      slope_error = std::clamp(10 * std::abs(step) / search.spin_scale, 1e-3, of_another);
+    }
+    if (!(slope < 0))
+      return std::nullopt;
+    spin = next;
+    value = next_value;
+  }
+  return std::nullopt;
 }
 
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion)

@@ -4,20 +4,11 @@
 #include "ring_model/motion.h"
 #include "ring_model/spin_search.h"
 
+#include <optional>
 #include <vector>
 
 namespace stemware::ring
 {
-/// Spin at which the yaw torque vanishes.
-struct TerminalSpin
-{
-  double omega;         ///< [rad/s]
-  double torque_slope;  ///< d tau_z / d omega there [N m s]
-  double time_constant; ///< I_z / |slope| of approach (stable) or escape [s]
-  bool stable;          ///< slope < 0
-  bool held = false;    ///< SpinZero::held; slope and time constant are then NaN
-};
-
 /// Returns the step [rad/s] for torque differences at @p omega: 1/32 of the distance to the kink at |omega| =
 /// @p spin_scale, within 1/4096 ... 1/64 of @p spin_scale. A step this wide averages over several azimuth
 /// lines, which the edges of a contact with lift-off cross.
@@ -33,6 +24,13 @@ double torque_slope(const TorqueFunction &torque, double omega, double step);
 /// spin_scale if a torque fails, as near tipping. Throws as find_terminal_spin(), and unless @p yaw_inertia
 /// is positive.
 TerminalSpin terminal_spin(const TorqueFunction &torque, double yaw_inertia, const SpinSearch &search);
+
+/// Finds the terminal spin near @p known, the stable terminal spin of a similar torque with its slope, by the
+/// secant method, with one to four evaluations. The result equals find_terminal_spin() if no further zeros
+/// have appeared. Returns std::nullopt if the method leaves the neighbourhood (a tenth of spin_scale), does
+/// not converge, or reaches a spin of small stability margin. Throws what @p torque throws.
+std::optional<TerminalSpin> find_terminal_spin_near(const TerminalSpin &known, const TorqueFunction &torque,
+                                                    const SpinSearch &search);
 
 /// Returns terminal_spin() from rest under a load that does not depend on the spin, to rounding.
 TerminalSpin terminal_spin(const RingStack &load, const Motion &motion);

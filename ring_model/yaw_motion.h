@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ring_model/spin_search.h"
+
 #include <functional>
 #include <vector>
 
@@ -31,7 +33,7 @@ double torque_with_grip(double torque, double omega, double grip);
 
 /// Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
 /// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by
-/// Radau IIA (StiffMotion) if the time constant is far below the time between outputs. A spin that reaches 0
+/// Radau IIA if the time constant is far below the time between outputs. A spin that reaches 0
 /// is exactly 0 until |tau_z| at rest exceeds the grip. The end of a rest is bracketed by outputs, breaks and
 /// 64 parts of the remaining time.
 ///
@@ -51,23 +53,17 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
                                         double initial_spin, double time_step, unsigned int n_steps,
                                         double grip = 0.);
 
-/// Spin after the transient of a ring whose torque depends on the phase.
-struct LongTimeSpin
-{
-  double mean;        ///< [rad/s]
-  double ripple;      ///< half the difference between the largest and the smallest spin [rad/s]
-  double uncertainty; ///< change of the mean from one window to the next [rad/s]
-};
-
-/// Follows the motion from psi = 0 and @p initial_spin through windows of time until their means agree. The
-/// weight exp(-1 / (s (1 - s))), 0 < s < 1, over a window makes means of (quasi-)periodic motions converge
-/// faster than any power of the window's length (Das, Saiki, Sander & Yorke, Nonlinearity 30 (2017) 4111).
+/// Returns mean, ripple and uncertainty (the change of the mean from one window to the next) of the spin
+/// after the transient. Follows the motion from psi = 0 and @p initial_spin through windows of time until
+/// their means agree. The weight exp(-1 / (s (1 - s))), 0 < s < 1, over a window makes means of
+/// (quasi-)periodic motions converge faster than any power of the window's length (Das, Saiki, Sander &
+/// Yorke, Nonlinearity 30 (2017) 4111).
 ///
 /// @p window: initial length of a window [s], about twelve slowest periods of the motion; doubled at most
 /// twice. @p accuracy: tolerance of the mean relative to @p spin_scale. If the longest windows differ by
 /// more, their difference is the uncertainty of the result. Throws std::invalid_argument for values out of
 /// range, std::runtime_error if the longest windows differ by more than 1e-5 of @p spin_scale, or as
 /// yaw_motion().
-LongTimeSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
+TerminalSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inertia, double initial_spin,
                             double window, double accuracy, double spin_scale, double grip = 0.);
 } // namespace stemware::ring

@@ -1,9 +1,13 @@
 #include "fem/contact/azimuthal_density.h"
 
 #include "ring_model/load/constants.h"
+#include "ring_model/load/lagrange.h"
+
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace stemware::fem
@@ -110,6 +114,37 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
       { begin + (sector[2] > 0 ? sector[1] / sector[2] : two_pi * (s + 0.5) / n_sectors), sector[0] });
   }
   return density;
+}
+
+double largest_between(const std::vector<CutValue> &cuts)
+{
+  const auto largest =
+    std::max_element(cuts.begin(), cuts.end(),
+                     [](const CutValue &one, const CutValue &other) { return one.value < other.value; });
+  const std::size_t n = cuts.size(), peak = static_cast<std::size_t>(largest - cuts.begin());
+  for (const std::size_t reach : { 3u, 1u })
+  {
+    std::vector<double> azimuths, values;
+    for (std::size_t i = 0; i <= 2 * reach && n > 2 * reach; ++i)
+    {
+      const CutValue &cut = cuts[(peak + n - reach + i) % n];
+      azimuths.push_back(std::remainder(cut.azimuth - largest->azimuth, 2 * ring::pi));
+      values.push_back(-cut.value);
+    }
+    if (azimuths.empty() ||
+        std::adjacent_find(azimuths.begin(), azimuths.end(), std::greater_equal<>()) != azimuths.end() ||
+        (reach > 1 && *std::max_element(values.begin(), values.end()) >= 0))
+      continue;
+    const double before = azimuths[reach - 1], after = azimuths[reach + 1];
+    const auto n_nodes = static_cast<Eigen::Index>(azimuths.size());
+    const Eigen::Map<const Eigen::VectorXd> nodes(azimuths.data(), n_nodes), at_nodes(values.data(), n_nodes);
+    const auto polynomial = [&](double azimuth)
+    { return ring::lagrange_values(nodes, azimuth).dot(at_nodes); };
+    return std::max(largest->value, -boost::math::tools::brent_find_minima(
+                                       polynomial, before, after, std::numeric_limits<double>::digits / 2)
+                                       .second);
+  }
+  return largest->value;
 }
 
 } // namespace stemware::fem

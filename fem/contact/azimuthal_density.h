@@ -31,6 +31,10 @@ struct CutValue
 std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
                                      double (*combine)(double, double));
 
+/// Returns the largest value between @p cuts (sorted by azimuth): maximum of the polynomial through the
+/// largest and three neighbours on either side, or one neighbour next to the contact's end.
+double largest_between(const std::vector<CutValue> &cuts);
+
 /// Returns the load per radian by azimuth from the force on each line of @p surface: sums of radial lines by
 /// azimuth, of others over ContactSurface::n_sectors equal sectors, at their middle.
 std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,

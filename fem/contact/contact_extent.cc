@@ -1,12 +1,8 @@
 #include "fem/contact/contact_extent.h"
 
 #include "fem/contact/azimuthal_density.h"
-#include "fem/contact/largest_between.h"
 #include "fem/contact/line_integral.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/load/lagrange.h"
-
-#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -82,42 +78,6 @@ double positive_share(const std::vector<CutValue> &cuts)
                     });
   return 1 - std::min(1., unloaded / two_pi);
 }
-
-} // namespace
-
-double largest_between(const std::vector<CutValue> &cuts)
-{
-  const auto largest =
-    std::max_element(cuts.begin(), cuts.end(),
-                     [](const CutValue &one, const CutValue &other) { return one.value < other.value; });
-  const std::size_t n = cuts.size(), peak = static_cast<std::size_t>(largest - cuts.begin());
-  for (const std::size_t reach : { 3u, 1u })
-  {
-    std::vector<double> azimuths, values;
-    for (std::size_t i = 0; i <= 2 * reach && n > 2 * reach; ++i)
-    {
-      const CutValue &cut = cuts[(peak + n - reach + i) % n];
-      azimuths.push_back(std::remainder(cut.azimuth - largest->azimuth, two_pi));
-      values.push_back(-cut.value);
-    }
-    if (azimuths.empty() ||
-        std::adjacent_find(azimuths.begin(), azimuths.end(), std::greater_equal<>()) != azimuths.end() ||
-        (reach > 1 && *std::max_element(values.begin(), values.end()) >= 0))
-      continue;
-    const double before = azimuths[reach - 1], after = azimuths[reach + 1];
-    const auto n_nodes = static_cast<Eigen::Index>(azimuths.size());
-    const Eigen::Map<const Eigen::VectorXd> nodes(azimuths.data(), n_nodes), at_nodes(values.data(), n_nodes);
-    const auto polynomial = [&](double azimuth)
-    { return ring::lagrange_values(nodes, azimuth).dot(at_nodes); };
-    return std::max(largest->value, -boost::math::tools::brent_find_minima(
-                                       polynomial, before, after, std::numeric_limits<double>::digits / 2)
-                                       .second);
-  }
-  return largest->value;
-}
-
-namespace
-{
 
 /// Returns the fraction of loaded sectors. @p is_loaded covers only this rank's part of the surface.
 double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)

@@ -1,17 +1,16 @@
 #include "fem/contact/contact_newton.h"
 
-#include "fem/contact/line_search.h"
 #include "fem/contact/rigid_foot.h"
-#include "fem/contact/visited_sets.h"
 #include "fem/geometry/require.h"
-#include "ring_model/load/constants.h"
 
 #include <Eigen/Eigenvalues>
-#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -22,36 +21,30 @@ namespace
 /// Minimum number of loaded nodes side by side across the rim for a resolved pressure.
 constexpr unsigned int min_nodes_across = 4;
 
-/// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
-/// vector): the minimum distance, along @p direction, to a tangent of the hull. For a moment balance, the
-/// moment weights of @p conditions replace the positions. The hull of a ring is assumed to be a circle.
-double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
+/// Returns the step length of Newton's method: 1, or the stationary point of the energy if the energy
+/// increases at the end of the step. @p may_go_beyond: up to 2, because steps towards a narrower contact are
+/// too short. @p slope: energy slope at a step length; @p start, @p end: slopes at 0 and 1; @p noise:
+/// rounding of slopes.
+template <typename Slope>
+double line_search_step(const Slope &slope, double start, double end, double noise, bool may_go_beyond)
 {
-  if (is_ring)
-    return conditions.reach(direction);
-  const Eigen::Vector2d across(-direction(1), direction(0));
-  // The distance is a convex function of tan(angle), so it has a single minimum.
-  const auto to_tangent = [&](double angle)
-  { return conditions.reach(direction + std::tan(angle) * across); };
-  constexpr double limit = ring::pi / 2 - 1e-6;
-  constexpr int bits = std::numeric_limits<double>::digits;
-  return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
-}
-
-/// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact nodes.
-void require_possible(const LinearConditions &conditions, double radius, bool is_ring)
-{
-  const Eigen::Vector2d centre = conditions.target().tail<2>() / conditions.normal_force();
-  if (centre.norm() == 0)
-    return;
-  const double limit = distance_to_hull(conditions, centre.normalized(), is_ring);
-  if (centre.norm() < limit)
-    return;
-  throw TippingDemand(sentence("the centre of pressure lies ", centre.norm(),
-                               " m from the axis, outside the hull of the contact zone, ", limit,
-                               " m in this direction; reduce the moment: the foot tips at "
-                               "|M_N| = ",
-                               limit / radius, " N R."));
+  constexpr double longest = 2;
+  // Slopes below their rounding noise contain no information, so the full step is taken.
+  const double tolerance = (may_go_beyond ? 0.02 : 0.5) * std::abs(start) + noise;
+  if (start >= 0 || (end <= tolerance && (end >= -tolerance || !may_go_beyond)))
+    return 1;
+  const auto close_enough = [](double a, double b) { return b - a < 0.02 * b; };
+  const auto stationary = [&](double from, double to, double slope_from, double slope_to)
+  {
+    boost::uintmax_t max_evaluations = 60;
+    const auto bracket =
+      boost::math::tools::toms748_solve(slope, from, to, slope_from, slope_to, close_enough, max_evaluations);
+    return (bracket.first + bracket.second) / 2;
+  };
+  if (end > 0)
+    return stationary(0, 1, start, end);
+  const double beyond = slope(longest);
+  return beyond <= 0 ? longest : stationary(1, longest, end, beyond);
 }
 
 class ContactNewton
@@ -80,7 +73,7 @@ public:
     double residual_before = std::numeric_limits<double>::infinity();
     double least_residual = std::numeric_limits<double>::infinity();
     unsigned int n_idle = 0;
-    VisitedSets visited(parts);
+    visits.clear();
     for (;;)
     {
       const double present_residual = residual();
@@ -92,7 +85,7 @@ public:
       if (balanced && n_steps > 0 && (n_changed == 0 || balanced_before || !control.requires_unchanged_set))
         return;
       if (control.requires_unchanged_set)
-        require_new_set(visited, present_residual);
+        require_new_set(present_residual);
       balanced_before = balanced;
       residual_before = present_residual;
       step();
@@ -186,15 +179,34 @@ private:
 
   /// Throws if a full Newton step returns to a previous active set without a smaller residual (a cycle).
   /// Damped steps may return to a previous set: each reduces the energy, so they cannot cycle.
-  void require_new_set(VisitedSets &visited, double present_residual) const
+  void require_new_set(double present_residual)
   {
-    if (visited.makes_progress(contact.active_set, present_residual) || last_step_length != 1)
+    if (makes_progress(present_residual) || last_step_length != 1)
       return;
     throw ContactFailure(ContactOutcome::repeated_set,
                          sentence("the active set cycles after ", n_steps, " Newton steps, with ", n_loaded(),
                                   " loaded points and a relative residual of ", present_residual,
                                   " (allowed ", control.equilibrium_tolerance,
                                   "); refine the mesh or increase the tolerance."));
+  }
+
+  /// Returns whether the active set is new or recurs with less than half the residual.
+  bool makes_progress(double present_residual)
+  {
+    // Two active sets are equal only if they agree on every part (MPI rank) of the surface.
+    std::vector<double> differs;
+    for (const auto &[set, residual] : visits)
+      differs.push_back(set != contact.active_set ? 1 : 0);
+    parts.sum_in_place(differs);
+    const auto same = std::find(differs.begin(), differs.end(), 0.);
+    if (same == differs.end())
+    {
+      visits.emplace_back(contact.active_set, present_residual);
+      return true;
+    }
+    const double before =
+      std::exchange(visits[static_cast<std::size_t>(same - differs.begin())].second, present_residual);
+    return present_residual < 0.5 * before;
   }
 
   void require_support() const
@@ -365,6 +377,8 @@ private:
   Eigen::VectorXd normal_displacement;
   ContactForces contact;
   ContactForces other_contact; ///< forces at the trial step during a step, otherwise at the previous step
+  /// Active sets of this part since the start of converge(), with the residual of the last visit.
+  std::vector<std::pair<ActiveSet, double>> visits;
   Eigen::Vector3d condition_residual; ///< residual of the conditions on the contact forces
   double equilibrium = 0;             ///< relative residual of the body
   unsigned int n_steps;
@@ -410,7 +424,7 @@ Eigen::Vector3d rigid_foot_motion(const ContactSurface &surface, TableLaw &law,
 ContactSolution solve_contact(ElasticBody &body, TableLaw &law, const LinearConditions &conditions,
                               double radius, const ContactControl &control, const ContactStart *start)
 {
-  require_possible(conditions, radius, body.contact_surface().is_ring);
+  conditions.require_possible(radius, body.contact_surface().is_ring);
   ContactStart begin;
   if (start)
     begin = *start;

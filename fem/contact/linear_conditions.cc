@@ -1,10 +1,39 @@
 #include "fem/contact/linear_conditions.h"
 
+#include "fem/contact/contact_solution.h"
+#include "fem/geometry/require.h"
+#include "ring_model/load/constants.h"
+
+#include <boost/math/tools/minima.hpp>
+
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 namespace stemware::fem
 {
+
+namespace
+{
+
+/// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
+/// vector): the minimum distance, along @p direction, to a tangent of the hull. For a moment balance, the
+/// moment weights of @p conditions replace the positions. The hull of a ring is assumed to be a circle.
+double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
+{
+  if (is_ring)
+    return conditions.reach(direction);
+  const Eigen::Vector2d across(-direction(1), direction(0));
+  // The distance is a convex function of tan(angle), so it has a single minimum.
+  const auto to_tangent = [&](double angle)
+  { return conditions.reach(direction + std::tan(angle) * across); };
+  constexpr double limit = ring::pi / 2 - 1e-6;
+  constexpr int bits = std::numeric_limits<double>::digits;
+  return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
+}
+
+} // namespace
 
 LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights,
                                    const Eigen::Vector3d &target, const Eigen::Matrix3d &motion_weights)
@@ -30,6 +59,21 @@ LinearConditions LinearConditions::with_scaled_moment(const ContactSurface &surf
   if (!are_resultants())
     weights += share * (L - modes);
   return { surface, std::move(weights), { t(0), share * t(1), share * t(2) }, share * H };
+}
+
+void LinearConditions::require_possible(double radius, bool is_ring) const
+{
+  const Eigen::Vector2d centre = t.tail<2>() / t(0);
+  if (centre.norm() == 0)
+    return;
+  const double limit = distance_to_hull(*this, centre.normalized(), is_ring);
+  if (centre.norm() < limit)
+    return;
+  throw TippingDemand(sentence("the centre of pressure lies ", centre.norm(),
+                               " m from the axis, outside the hull of the contact zone, ", limit,
+                               " m in this direction; reduce the moment: the foot tips at "
+                               "|M_N| = ",
+                               limit / radius, " N R."));
 }
 
 LinearConditions prescribed_resultants(const ContactSurface &surface, const Resultants &load)

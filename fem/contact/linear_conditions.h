@@ -49,6 +49,11 @@ public:
     return parts.max_entry(L.rightCols<2>() * direction);
   }
 
+  /// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact
+  /// nodes.
+  /// @p radius: R, for the message [m]; @p is_ring as in ContactSurface.
+  void require_possible(double radius, bool is_ring) const;
+
 private:
   Eigen::MatrixX3d L;
   Eigen::Vector3d t;

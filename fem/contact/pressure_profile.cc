@@ -29,6 +29,32 @@ double PressureProfile::at(double radius) const
   return std::abs(x) < 1 ? peak * std::pow((1 - x) * (1 + x), exponent) : 0;
 }
 
+namespace
+{
+
+constexpr int n_moments = 5;
+using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
+
+/// Returns the pressure moments of the cut at @p azimuth from the moments @p of_cut about @p origin [m].
+PressureMoments central_moments(double azimuth, double origin, const Moments &of_cut)
+{
+  PressureMoments cut;
+  cut.azimuth = azimuth;
+  cut.middle = origin;
+  cut.force = of_cut(0);
+  if (!(cut.force > 0))
+    return cut;
+  const Moments mean = of_cut / cut.force;
+  const double shift = mean(1);
+  cut.middle = origin + shift;
+  cut.variance = mean(2) - shift * shift;
+  const double fourth = mean(4) - shift * (4 * mean(3) - shift * (6 * mean(2) - 3 * shift * shift));
+  cut.kurtosis = fourth / (cut.variance * cut.variance);
+  return cut;
+}
+
+} // namespace
+
 std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
                                              const std::vector<Eigen::Vector3d> &depths,
                                              const std::function<double(double)> &pressure)
@@ -54,8 +80,6 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
     return {};
   const double origin = sums(1) / sums(0); // an origin inside the contact limits cancellation
 
-  constexpr int n_moments = 5;
-  using Moments = Eigen::Matrix<double, n_moments, 1>; // int p (r - origin)^k dr
   std::vector<Moments> of_lines(depths.size(), Moments::Zero()), of_cuts;
   for (std::size_t l = 0; l < depths.size(); ++l)
     integrate(l,
@@ -64,7 +88,7 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
                 for (int k = 0; k < n_moments; ++k, force *= radius - origin)
                   of_lines[l](k) += force;
               });
-  std::vector<PressureMoments> cuts;
+  std::vector<double> azimuths;
   for (int k = 0; k < n_moments; ++k)
   {
     std::vector<double> values;
@@ -72,28 +96,17 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
       values.push_back(moments(k));
     const std::vector<CutValue> sums_of_cuts =
       values_of_cuts(surface, values, [](double one, double other) { return one + other; });
-    cuts.resize(sums_of_cuts.size());
-    of_cuts.resize(cuts.size());
-    for (std::size_t c = 0; c < cuts.size(); ++c)
+    azimuths.resize(sums_of_cuts.size());
+    of_cuts.resize(sums_of_cuts.size());
+    for (std::size_t c = 0; c < sums_of_cuts.size(); ++c)
     {
       of_cuts[c](k) = sums_of_cuts[c].value;
-      cuts[c].azimuth = sums_of_cuts[c].azimuth;
+      azimuths[c] = sums_of_cuts[c].azimuth;
     }
   }
-  for (std::size_t c = 0; c < cuts.size(); ++c)
-  {
-    PressureMoments &cut = cuts[c];
-    cut.middle = origin;
-    cut.force = of_cuts[c](0);
-    if (!(cut.force > 0))
-      continue;
-    const Moments mean = of_cuts[c] / cut.force;
-    const double shift = mean(1);
-    cut.middle = origin + shift;
-    cut.variance = mean(2) - shift * shift;
-    const double fourth = mean(4) - shift * (4 * mean(3) - shift * (6 * mean(2) - 3 * shift * shift));
-    cut.kurtosis = fourth / (cut.variance * cut.variance);
-  }
+  std::vector<PressureMoments> cuts;
+  for (std::size_t c = 0; c < of_cuts.size(); ++c)
+    cuts.push_back(central_moments(azimuths[c], origin, of_cuts[c]));
   return cuts;
 }
 

@@ -1,6 +1,5 @@
 #include "fem/contact/stiff_spring.h"
 
-#include "fem/contact/largest_between.h"
 #include "fem/contact/pressure_profile.h"
 #include "fem/contact/winkler_interface.h"
 

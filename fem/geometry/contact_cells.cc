@@ -49,15 +49,13 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   const double outer = profile.land_outer_radius();
   const double size = cells.coarse_size;
   // The cells next to the borders of the land absorb the remainder, so their size is 0.5 to 1.5 times `size`.
-  const auto n_towards = [&](double border)
-  { return static_cast<int>(std::floor(std::abs(border - focus_radius) / size + 0.5)); };
   double middle = focus_radius;
-  if (n_towards(inner) == 0)
-    middle = inner;
-  else if (n_towards(outer) == 0)
-    middle = outer;
   const auto n_from_middle = [&](double border)
   { return static_cast<int>(std::floor(std::abs(border - middle) / size + 0.5)); };
+  if (n_from_middle(inner) == 0)
+    middle = inner;
+  else if (n_from_middle(outer) == 0)
+    middle = outer;
   cells.coarse = { inner };
   for (int i = 1 - n_from_middle(inner); i < n_from_middle(outer); ++i)
     cells.coarse.push_back(middle + i * size);

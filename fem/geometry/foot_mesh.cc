@@ -234,7 +234,7 @@ std::vector<Slab> foot_slabs(const GlassProfile &profile, const FootResolution &
   stack(0, 1, resolution.foot_layers, 0, profile.outer_radius(), slabs);
   const double layer = profile.thickness() / resolution.foot_layers;
   const Fillet fillet = profile.fillet();
-  const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height }).level;
+  const double fillet_top = ProfileChart(profile).pull_back({ 0, fillet.centre_height })[1];
   if (fillet_top > 1 + 1e-9) // otherwise the corner between foot and stem is sharp, up to rounding
     stack(1, fillet_top - 1, n_stem_layers(fillet.centre_height - fillet.middle_height, layer), 0,
           fillet.middle_radius, slabs);

@@ -37,11 +37,6 @@ std::optional<Number> whole_word(std::string_view word)
   throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
 }
 
-std::optional<long> whole_number_in(std::string_view word)
-{
-  return whole_word<long>(word);
-}
-
 class Tokenizer
 {
 public:
@@ -71,7 +66,7 @@ public:
   long whole_number()
   {
     const std::string_view word = next();
-    if (const auto value = whole_number_in(word))
+    if (const auto value = whole_word<long>(word))
       return *value;
     refuse_word(word);
   }
@@ -211,7 +206,7 @@ private:
       const std::string_view line = text.substr(0, text.find('\n'));
       text.remove_prefix(std::min(line.size() + 1, text.size()));
       Tokenizer words(line);
-      const auto dimension = whole_number_in(words.next()), id = whole_number_in(words.next());
+      const auto dimension = whole_word<long>(words.next()), id = whole_word<long>(words.next());
       const std::size_t begin = line.find('"'), end = line.rfind('"');
       if (dimension == 2 && id && *id > 0 && begin < end)
         content.names[static_cast<unsigned int>(*id)] = line.substr(begin + 1, end - begin - 1);

@@ -116,7 +116,7 @@ void mark_boundary(double clamped_height, const GlassProfile &profile, Triangula
 bool touches_table(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
-    if (face->at_boundary() && face->boundary_id() == static_cast<unsigned int>(FootBoundary::contact_zone))
+    if (is_on(face, FootBoundary::contact_zone))
       return true;
   return false;
 }
@@ -284,7 +284,7 @@ void make_foot(const GlassProfile &profile, const ContactCells &contact, Triangu
   GridLines levels = { 0 };
   append_growing(levels, lowest_level, rows_of(contact, profile, lowest_level));
   append_sized(levels, 1, 1);
-  append_sized(levels, chart.pull_back({ 0, fillet.centre_height }).level, size / stem_length);
+  append_sized(levels, chart.pull_back({ 0, fillet.centre_height })[1], size / stem_length);
   append_sized(levels, 2, size / stem_length);
 
   make_grid(

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 
@@ -94,41 +95,49 @@ bool lies_on(const std::array<Point<3>, 4> &face, const Point<3> &x)
   return distance.norm() < 1e-6 * size && is_inside(s) && is_inside(t);
 }
 
+/// Nodes joined to each node by an edge.
+using Neighbors = std::map<unsigned int, std::set<unsigned int>>;
+
+/// Returns the hanging node of each edge on a curved surface, by the ends of the edge: mesh edges connect it
+/// with both ends, at an angle of more than 150 degrees.
+std::map<std::pair<unsigned int, unsigned int>, unsigned int>
+middles_of_edges(const std::function<Point<3>(unsigned int)> &point, const Neighbors &neighbors)
+{
+  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
+  for (const auto &[a, of_a] : neighbors)
+    for (const unsigned int b : of_a)
+      for (const unsigned int middle : neighbors.at(b))
+        if (of_a.count(middle) > 0)
+        {
+          const Tensor<1, 3> to_a = point(a) - point(middle), to_b = point(b) - point(middle);
+          if (to_a * to_b < std::cos(150 * ring::pi / 180) * to_a.norm() * to_b.norm())
+            middles[std::minmax(a, b)] = middle;
+        }
+  return middles;
+}
+
 /// Throws UnreadableMesh if a node lies in the middle of an edge or face of @p surface (the faces with only
-/// one cell): cells at such a hanging node look connected but are not. On a curved surface, a node is in the
-/// middle of an edge if mesh edges connect it with both ends, at an angle of more than 150 degrees.
+/// one cell): cells at such a hanging node look connected but are not.
 void require_no_hanging_nodes(const std::vector<std::array<double, 3>> &points,
                               const std::vector<FaceCorners> &surface)
 {
   namespace bg = boost::geometry;
   using Place = bg::model::point<double, 3, bg::cs::cartesian>;
   const auto point = [&](unsigned int i) { return Point<3>(points[i][0], points[i][1], points[i][2]); };
-  std::map<unsigned int, std::set<unsigned int>> neighbors;
+  Neighbors neighbors;
   for (const FaceCorners &face : surface)
     for (unsigned int k = 0; k < 4; ++k)
     {
       neighbors[face[k]].insert(face[(k + 1) % 4]);
       neighbors[face[(k + 1) % 4]].insert(face[k]);
     }
+  const auto middles = middles_of_edges(point, neighbors);
   std::set<unsigned int> hanging;
-  // Hanging node of each edge, by the ends of the edge.
-  std::map<std::pair<unsigned int, unsigned int>, unsigned int> middles;
+  for (const auto &[edge, middle] : middles)
+    hanging.insert(middle);
   std::vector<std::pair<Place, unsigned int>> places;
   for (const auto &[a, of_a] : neighbors)
-  {
     places.emplace_back(Place(points[a][0], points[a][1], points[a][2]), a);
-    for (const unsigned int b : of_a)
-      for (const unsigned int middle : neighbors[b])
-        if (of_a.count(middle) > 0)
-        {
-          const Tensor<1, 3> to_a = point(a) - point(middle), to_b = point(b) - point(middle);
-          if (to_a * to_b < std::cos(150 * ring::pi / 180) * to_a.norm() * to_b.norm())
-          {
-            hanging.insert(middle);
-            middles[std::minmax(a, b)] = middle;
-          }
-        }
-  }
   const bg::index::rtree<std::pair<Place, unsigned int>, bg::index::quadratic<16>> tree(places);
   for (const FaceCorners &face : surface)
   {
@@ -286,7 +295,7 @@ std::string text_of(const std::string &file_name)
 
 } // namespace
 
-MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangulation<3> &triangulation)
+MeshContent read_hexahedra(const std::string &file_name, double unit, Triangulation<3> &triangulation)
 {
   const std::string subject = "Mesh file = " + file_name + " ";
   if (!boost::iends_with(file_name, ".msh"))
@@ -301,7 +310,7 @@ MeshFileFacts read_hexahedra(const std::string &file_name, double unit, Triangul
       for (double &coordinate : point)
         coordinate *= unit;
     build(content, triangulation);
-    return { content.is_second_order, content.names };
+    return content;
   }
   catch (const UnreadableMesh &reason)
   {

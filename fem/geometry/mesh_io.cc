@@ -4,9 +4,10 @@
 #include "fem/geometry/mesh_content.h"
 #include "fem/geometry/mesh_quality.h"
 
-#include <deal.II/base/data_out_base.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
+#include <deal.II/lac/vector.h>
+#include <deal.II/numerics/data_out.h>
 
 #include <algorithm>
 #include <array>
@@ -31,11 +32,11 @@ constexpr types::manifold_id cylinder_id = 1;
 constexpr auto contact_id = static_cast<types::boundary_id>(FootBoundary::contact_zone);
 constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
 
-unsigned int count_faces(const Triangulation<3> &triangulation, types::boundary_id id)
+unsigned int count_faces(const Triangulation<3> &triangulation, FootBoundary boundary)
 {
   unsigned int n_faces = 0;
   for (const auto &face : triangulation.active_face_iterators())
-    n_faces += face->at_boundary() && face->boundary_id() == id;
+    n_faces += is_on(face, boundary);
   return n_faces;
 }
 
@@ -72,7 +73,7 @@ void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulatio
                              highest = std::max(highest, face->vertex(v)[2]);
                            }
                          });
-  const bool has_stem_cut = count_faces(triangulation, stem_cut_id) > 0;
+  const bool has_stem_cut = count_faces(triangulation, FootBoundary::stem_cut) > 0;
   for_each_boundary_face(triangulation,
                          [&](const auto &cell, const Face &face)
                          {
@@ -141,8 +142,8 @@ void require_boundaries(const std::string &file_name, const MeshFileOptions &mar
                         const std::map<types::boundary_id, double> &heights, const FaceNames &names,
                         const Triangulation<3> &triangulation)
 {
-  const bool has_contact = count_faces(triangulation, contact_id) > 0,
-             has_stem = count_faces(triangulation, stem_cut_id) > 0;
+  const bool has_contact = count_faces(triangulation, FootBoundary::contact_zone) > 0,
+             has_stem = count_faces(triangulation, FootBoundary::stem_cut) > 0;
   if (has_contact && has_stem)
     return;
   std::vector<std::string> ids;
@@ -232,8 +233,8 @@ struct RimBorder
 void attach_cylinder(Triangulation<3> &triangulation)
 {
   for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary() && cell->face(f)->boundary_id() == contact_id)
+    for (const auto &face : cell->face_iterators())
+      if (is_on(face, FootBoundary::contact_zone))
         cell->set_all_manifold_ids(cylinder_id);
 }
 
@@ -243,7 +244,7 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
                           const MeshFileOptions &marks)
 {
   Triangulation<3> serial;
-  const MeshFileFacts file = read_hexahedra(file_name, marks.unit, serial);
+  const MeshContent file = read_hexahedra(file_name, marks.unit, serial);
   const std::map<types::boundary_id, double> heights = heights_by_id(serial);
   mark(marks, serial);
   require_boundaries(file_name, marks, heights, file.names, serial);
@@ -255,7 +256,7 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
 
   MeshReport report;
   report.n_cells = serial.n_active_cells();
-  report.n_contact_faces = count_faces(serial, contact_id);
+  report.n_contact_faces = count_faces(serial, FootBoundary::contact_zone);
   report.round_rim = border.is_round();
   report.rim_radius = border.middle();
   report.n_symmetry_sectors = n_symmetry_sectors(serial);
@@ -272,7 +273,7 @@ void move_to_crown(const GlassProfile &profile, Triangulation<3> &triangulation)
 {
   std::vector<bool> moved(triangulation.n_vertices(), false);
   for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() == contact_id)
+    if (is_on(face, FootBoundary::contact_zone))
       for (const unsigned int v : face->vertex_indices())
         if (!moved[face->vertex_index(v)])
         {
@@ -313,29 +314,25 @@ void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
 
 void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
 {
-  const std::vector<double> jacobians = scaled_jacobians(triangulation);
-  std::vector<DataOutBase::Patch<3>> patches;
-  for (const auto &cell : triangulation.active_cell_iterators())
-  {
-    types::boundary_id id = 0;
-    for (const auto &face : cell->face_iterators())
-      if (face->at_boundary())
-        id = std::max(id, face->boundary_id());
-    DataOutBase::Patch<3> &patch = patches.emplace_back();
-    patch.patch_index = cell->active_cell_index();
-    patch.reference_cell = ReferenceCells::Hexahedron;
-    patch.data.reinit(2, 8);
-    for (const unsigned int v : cell->vertex_indices())
-    {
-      patch.vertices[v] = cell->vertex(v);
-      patch.data(0, v) = static_cast<float>(jacobians[cell->active_cell_index()]);
-      patch.data(1, v) = static_cast<float>(id);
-    }
-  }
+  const std::vector<double> of_cells = scaled_jacobians(triangulation);
+  const Vector<double> jacobians(of_cells.begin(), of_cells.end());
+  Vector<double> ids(triangulation.n_active_cells());
+  for_each_boundary_face(triangulation,
+                         [&](const auto &cell, const Face &face)
+                         {
+                           double &id = ids(cell->active_cell_index());
+                           id = std::max<double>(id, face->boundary_id());
+                         });
+  DataOut<3> output;
+  output.attach_triangulation(triangulation);
+  output.add_data_vector(jacobians, "scaled_jacobian");
+  output.add_data_vector(ids, "boundary_id");
+  output.build_patches();
   DataOutBase::VtkFlags flags;
   flags.print_date_and_time = false; // for reproducible files
+  output.set_flags(flags);
   std::ostringstream text;
-  DataOutBase::write_vtu(patches, { "scaled_jacobian", "boundary_id" }, {}, flags, text);
+  output.write_vtu(text);
   const std::string file = text.str();
   const std::size_t root = file.find("<VTKFile");
   stream << file.substr(0, root) << "<!-- Foot mesh written by Stemware -->\n" << file.substr(root);

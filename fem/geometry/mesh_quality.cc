@@ -81,8 +81,7 @@ void check_contact_zone(const Triangulation<3> &triangulation, MeshCheck &check)
     for (const unsigned int f : cell->face_indices())
     {
       const auto face = cell->face(f);
-      if (!face->at_boundary() ||
-          face->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      if (!is_on(face, FootBoundary::contact_zone))
         continue;
       const Tensor<1, 3> area = area_of(cell, f);
       check.contact_area += area.norm();
@@ -141,8 +140,7 @@ void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
     for (const unsigned int f : cell->face_indices())
       if (!cell->at_boundary(f))
         sets.union_set(cell->active_cell_index(), cell->neighbor(f)->active_cell_index());
-      else if (const auto face = cell->face(f);
-               face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::stem_cut))
+      else if (const auto face = cell->face(f); is_on(face, FootBoundary::stem_cut))
       {
         sets.union_set(cell->active_cell_index(), held);
         check.stem_height += face->center()[2];
@@ -164,8 +162,7 @@ unsigned int n_contact_zones(const Triangulation<3> &triangulation)
 {
   std::vector<std::array<unsigned int, 4>> faces;
   for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary() &&
-        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    if (is_on(face, FootBoundary::contact_zone))
       faces.push_back({ face->line_index(0), face->line_index(1), face->line_index(2), face->line_index(3) });
   boost::disjoint_sets_with_storage<> sets(faces.size());
   std::map<unsigned int, std::size_t> face_of_edge;
@@ -191,29 +188,11 @@ std::vector<double> scaled_jacobians(const Triangulation<3> &triangulation)
   return jacobians;
 }
 
-std::vector<Quadrilateral> contact_faces(const Triangulation<3> &triangulation)
-{
-  std::vector<Quadrilateral> faces;
-  for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary() &&
-        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
-    {
-      Quadrilateral corners;
-      // deal.II numbers vertices lexicographically, so 0 1 3 2 is the cyclic order.
-      constexpr std::array<unsigned int, 4> round = { 0, 1, 3, 2 };
-      for (unsigned int i = 0; i < 4; ++i)
-        corners[i] = { face->vertex(round[i])[0], face->vertex(round[i])[1] };
-      faces.push_back(corners);
-    }
-  return faces;
-}
-
 std::vector<Outline> contact_outlines(const Triangulation<3> &triangulation)
 {
   std::map<unsigned int, std::array<unsigned int, 2>> edges; // edges of exactly one contact face
   for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary() &&
-        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    if (is_on(face, FootBoundary::contact_zone))
       for (unsigned int l = 0; l < 4; ++l)
         if (const auto line = face->line(l);
             !edges.insert({ face->line_index(l), { line->vertex_index(0), line->vertex_index(1) } }).second)
@@ -259,9 +238,14 @@ unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
   namespace bg = boost::geometry;
   using Place = bg::model::point<double, 3, bg::cs::cartesian>;
   double inner_radius = std::numeric_limits<double>::infinity();
-  for (const Quadrilateral &face : contact_faces(triangulation))
-    for (const auto &[x, y] : face)
-      inner_radius = std::min(inner_radius, std::hypot(x, y));
+  unsigned int n_faces = 0;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (is_on(face, FootBoundary::contact_zone))
+    {
+      ++n_faces;
+      for (const unsigned int v : face->vertex_indices())
+        inner_radius = std::min(inner_radius, std::hypot(face->vertex(v)[0], face->vertex(v)[1]));
+    }
   std::vector<Place> places;
   double largest = 0;
   for (unsigned int v = 0; v < triangulation.n_vertices(); ++v)
@@ -286,7 +270,6 @@ unsigned int n_symmetry_sectors(const Triangulation<3> &triangulation)
                          return bg::distance(*next, turned) <= 1e-7 * largest;
                        });
   };
-  const auto n_faces = static_cast<unsigned int>(contact_faces(triangulation).size());
   for (unsigned int n = n_faces; n > 1; --n)
     if (n_faces % n == 0 && is_turned_onto_itself(n))
       return n;

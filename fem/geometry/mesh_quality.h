@@ -58,10 +58,4 @@ using Outline = std::vector<std::array<double, 2>>;
 /// Returns the borders of the contact zone, the longest first.
 std::vector<Outline> contact_outlines(const dealii::Triangulation<3, 3> &triangulation);
 
-/// Corners of a face as seen from above [m], in the order of its edge line.
-using Quadrilateral = std::array<std::array<double, 2>, 4>;
-
-/// Returns the faces of the contact zone.
-std::vector<Quadrilateral> contact_faces(const dealii::Triangulation<3, 3> &triangulation);
-
 } // namespace stemware::fem

@@ -28,28 +28,30 @@ double ProfileChart::top(double radius) const
   return radius < fillet.middle_radius ? fillet.middle_height : profile.topside(radius);
 }
 
-SectionPoint ProfileChart::push_forward(const ChartPoint &point) const
+Point<2> ProfileChart::push_forward(const Point<2> &point) const
 {
-  if (point.level <= 1 || !within_stem(point.radius))
+  const double radius = point[0], level = point[1];
+  if (level <= 1 || !within_stem(radius))
   {
-    const double bottom = profile.underside(point.radius);
-    return { point.radius, bottom + point.level * (top(point.radius) - bottom) };
+    const double bottom = profile.underside(radius);
+    return { radius, bottom + level * (top(radius) - bottom) };
   }
-  const double height = fillet.middle_height + (point.level - 1) * (profile.height() - fillet.middle_height);
-  return { point.radius * (profile.stem_surface(height) / fillet.middle_radius), height };
+  const double height = fillet.middle_height + (level - 1) * (profile.height() - fillet.middle_height);
+  return { radius * (profile.stem_surface(height) / fillet.middle_radius), height };
 }
 
-ChartPoint ProfileChart::pull_back(const SectionPoint &point) const
+Point<2> ProfileChart::pull_back(const Point<2> &point) const
 {
+  const double radius = point[0], height = point[1];
   // If the top rises outwards, points of the foot may lie above the middle of the fillet, but only outside
   // the stem. The tolerance allows for rounding of points on the stem's surface.
-  if (point.height <= fillet.middle_height || point.radius > profile.stem_surface(point.height) * (1 + 1e-9))
+  if (height <= fillet.middle_height || radius > profile.stem_surface(height) * (1 + 1e-9))
   {
-    const double bottom = profile.underside(point.radius);
-    return { point.radius, (point.height - bottom) / (top(point.radius) - bottom) };
+    const double bottom = profile.underside(radius);
+    return { radius, (height - bottom) / (top(radius) - bottom) };
   }
-  return { point.radius / (profile.stem_surface(point.height) / fillet.middle_radius),
-           1 + (point.height - fillet.middle_height) / (profile.height() - fillet.middle_height) };
+  return { radius / (profile.stem_surface(height) / fillet.middle_radius),
+           1 + (height - fillet.middle_height) / (profile.height() - fillet.middle_height) };
 }
 
 namespace
@@ -83,11 +85,12 @@ private:
   const Map to_chart, from_chart;
 };
 
-/// Returns @p point at @p height, with its distance from the axis changed from @p radius to @p other.
-Point<3> moved_radially(const Point<3> &point, double radius, double other, double height)
+/// Returns @p point with its distance from the axis and its height changed to those of @p section, from the
+/// distance @p radius.
+Point<3> moved_to(const Point<2> &section, const Point<3> &point, double radius)
 {
-  const double stretch = radius > 0 ? other / radius : 1;
-  return { stretch * point[0], stretch * point[1], height };
+  const double stretch = radius > 0 ? section[0] / radius : 1;
+  return { stretch * point[0], stretch * point[1], section[1] };
 }
 
 } // namespace
@@ -96,16 +99,8 @@ std::unique_ptr<ChartManifold<2>> make_section_manifold(const GlassProfile &prof
 {
   return std::make_unique<StraightenedManifold<2>>(
     ProfileChart(profile),
-    [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
-    {
-      const ChartPoint straight = chart.pull_back({ point[0], point[1] });
-      return { straight.radius, straight.level };
-    },
-    [](const ProfileChart &chart, const Point<2> &point) -> Point<2>
-    {
-      const SectionPoint section = chart.push_forward({ point[0], point[1] });
-      return { section.radius, section.height };
-    });
+    [](const ProfileChart &chart, const Point<2> &point) { return chart.pull_back(point); },
+    [](const ProfileChart &chart, const Point<2> &point) { return chart.push_forward(point); });
 }
 
 std::unique_ptr<ChartManifold<3>> make_ring_manifold(const GlassProfile &profile)
@@ -114,14 +109,14 @@ std::unique_ptr<ChartManifold<3>> make_ring_manifold(const GlassProfile &profile
     ProfileChart(profile),
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
     {
-      const ChartPoint straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
+      const Point<2> straight = chart.pull_back({ std::hypot(point[0], point[1]), point[2] });
       const double azimuth = std::atan2(point[1], point[0]);
-      return { straight.radius, azimuth < 0 ? azimuth + 2 * ring::pi : azimuth, straight.level };
+      return { straight[0], azimuth < 0 ? azimuth + 2 * ring::pi : azimuth, straight[1] };
     },
     [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
     {
-      const SectionPoint section = chart.push_forward({ point[0], point[2] });
-      return { section.radius * std::cos(point[1]), section.radius * std::sin(point[1]), section.height };
+      const Point<2> section = chart.push_forward({ point[0], point[2] });
+      return { section[0] * std::cos(point[1]), section[0] * std::sin(point[1]), section[1] };
     },
     Point<3>(0, 2 * ring::pi, 0));
 }
@@ -130,17 +125,15 @@ std::unique_ptr<ChartManifold<3>> make_core_manifold(const GlassProfile &profile
 {
   return std::make_unique<StraightenedManifold<3>>(
     ProfileChart(profile),
-    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    [](const ProfileChart &chart, const Point<3> &point)
     {
       const double radius = std::hypot(point[0], point[1]);
-      const ChartPoint straight = chart.pull_back({ radius, point[2] });
-      return moved_radially(point, radius, straight.radius, straight.level);
+      return moved_to(chart.pull_back({ radius, point[2] }), point, radius);
     },
-    [](const ProfileChart &chart, const Point<3> &point) -> Point<3>
+    [](const ProfileChart &chart, const Point<3> &point)
     {
       const double radius = std::hypot(point[0], point[1]);
-      const SectionPoint section = chart.push_forward({ radius, point[2] });
-      return moved_radially(point, radius, section.radius, section.height);
+      return moved_to(chart.push_forward({ radius, point[2] }), point, radius);
     });
 }
 

@@ -2,6 +2,8 @@
 
 #include "fem/geometry/glass_profile.h"
 
+#include <deal.II/base/point.h>
+
 #include <memory>
 
 namespace dealii
@@ -13,22 +15,9 @@ class ChartManifold;
 namespace stemware::fem
 {
 
-/// Point of the meridional section of a glass [m].
-struct SectionPoint
-{
-  double radius = 0;
-  double height = 0; ///< above the land
-};
-
-/// Point in chart coordinates. Foot: radius <= foot_radius [m], 0 <= level <= 1. Stem: radius <=
-/// Fillet::middle_radius [m], 1 <= level <= 2.
-struct ChartPoint
-{
-  double radius = 0;
-  double level = 0;
-};
-
-/// Coordinates in which foot and stem of a GlassShape::foot are rectangles (docs/method/profile.md, "Mesh").
+/// Coordinates (radius, level) in which foot and stem of a GlassShape::foot are rectangles
+/// (docs/method/profile.md, "Mesh"). Foot: radius <= foot_radius [m], 0 <= level <= 1. Stem: radius <=
+/// Fillet::middle_radius [m], 1 <= level <= 2. Points of the section are (r, z) [m].
 ///
 /// In the foot, level rises from the underside to the top (under the stem: the height of the fillet's
 /// middle); in the stem, from there to the cut, and radii stretch with the stem's surface. The coordinates
@@ -39,8 +28,10 @@ public:
   /// @p profile must be valid.
   explicit ProfileChart(const GlassProfile &profile);
 
-  SectionPoint push_forward(const ChartPoint &point) const;
-  ChartPoint pull_back(const SectionPoint &point) const;
+  /// Returns the point of the section at @p point of the chart.
+  dealii::Point<2> push_forward(const dealii::Point<2> &point) const;
+  /// Returns the point of the chart at @p point of the section.
+  dealii::Point<2> pull_back(const dealii::Point<2> &point) const;
 
 private:
   bool within_stem(double radius) const;

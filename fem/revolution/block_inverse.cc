@@ -1,14 +1,17 @@
 #include "fem/revolution/block_inverse.h"
 
-#include "fem/revolution/cholmod_factors.h"
 #include "fem/revolution/single_thread.h"
 
 #include <deal.II/lac/sparse_matrix.h>
 
+#include <Eigen/CholmodSupport>
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cholmod.h>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 
 namespace stemware::fem
 {
@@ -19,7 +22,94 @@ namespace
 /// Serialises BLAS calls, because some BLAS libraries are not thread-safe.
 std::mutex entering_blas;
 
+void require_success(bool is_done, const cholmod_common &common)
+{
+  if (common.status == CHOLMOD_OUT_OF_MEMORY)
+    throw std::bad_alloc();
+  if (common.status == CHOLMOD_NOT_POSDEF)
+    throw std::runtime_error(
+      "A stiffness matrix is not positive definite: the mesh is distorted or the body is not fixed.");
+  if (!is_done || common.status < CHOLMOD_OK)
+    throw std::runtime_error("CHOLMOD failed with status " + std::to_string(common.status) + ".");
+}
+
 } // namespace
+
+/// Factors L L' of symmetric positive definite matrices of equal pattern, by CHOLMOD. Functions throw
+/// std::runtime_error if CHOLMOD fails, std::bad_alloc without memory.
+class CholmodFactors
+{
+public:
+  /// Prepares factors of matrices with the lower triangle @p pattern, eliminated in the order of its rows.
+  explicit CholmodFactors(const LowerTriangle &pattern)
+      : CholmodFactors()
+  {
+    cholmod_sparse view = Eigen::viewAsCholmod(pattern.selfadjointView<Eigen::Lower>());
+    require_success((factor = cholmod_analyze(&view, &common)), common);
+  }
+
+  CholmodFactors(const CholmodFactors &other)
+      : CholmodFactors()
+  {
+    require_success((factor = cholmod_copy_factor(other.factor, &common)), common);
+  }
+
+  ~CholmodFactors()
+  {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+
+  /// Returns whether factorise() proceeds by blocks, with BLAS.
+  bool use_blas() const { return factor->is_super != 0; }
+
+  void factorise(const LowerTriangle &matrix)
+  {
+    cholmod_sparse view = Eigen::viewAsCholmod(matrix.selfadjointView<Eigen::Lower>());
+    require_success(cholmod_factorize(&view, factor, &common), common);
+  }
+
+  /// Returns the last @p n rows and columns of L.
+  Eigen::MatrixXd end(int n) const
+  {
+    const auto *starts = static_cast<const int *>(factor->p), *lengths = static_cast<const int *>(factor->nz),
+               *rows = static_cast<const int *>(factor->i);
+    const int first = static_cast<int>(factor->n) - n;
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+    for (int j = 0; j < n; ++j)
+      for (int k = starts[first + j]; k < starts[first + j] + lengths[first + j]; ++k)
+        result(rows[k] - first, j) = static_cast<const double *>(factor->x)[k];
+    return result;
+  }
+
+  /// Returns a minimum-degree order of elimination of @p pattern in which the rows @p last come last.
+  static std::vector<int> order_with_last(const LowerTriangle &pattern, const std::vector<unsigned int> &last)
+  {
+    std::vector<int> part(static_cast<std::size_t>(pattern.rows()), 0), order(part.size());
+    for (const unsigned int row : last)
+      part[row] = 1;
+    CholmodFactors work;
+    cholmod_sparse view = Eigen::viewAsCholmod(pattern.selfadjointView<Eigen::Lower>());
+    require_success(cholmod_camd(&view, nullptr, 0, part.data(), order.data(), &work.common), work.common);
+    return order;
+  }
+
+private:
+  CholmodFactors()
+  {
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_NATURAL;
+    common.postorder = 0;
+    common.final_asis = 0; // end() requires L stored by columns
+    common.final_ll = 1;
+    common.final_super = 0;
+  }
+
+  cholmod_common common;
+  cholmod_factor *factor = nullptr;
+};
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 {

@@ -3,13 +3,44 @@
 #include "fem/contact/line_integral.h"
 #include "ring_model/load/lagrange.h"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
 namespace stemware::fem
 {
+
+namespace
+{
+
+/// Contact line of an element or of half an element; equal at all azimuths.
+struct Piece
+{
+  unsigned int first; ///< number of the element's first circle
+  Eigen::Vector3d radii;
+  Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
+};
+
+std::vector<Piece> pieces_of(const ContactCompliance &circles)
+{
+  const unsigned int degree = circles.degree, n_pieces = degree > 2 ? 2 : 1;
+  std::vector<Piece> pieces;
+  for (unsigned int first = 0; first + degree < circles.n_nodes(); first += degree)
+    for (unsigned int piece = 0; piece < n_pieces; ++piece)
+    {
+      const Eigen::VectorXd nodes = circles.radii.segment(first, degree + 1);
+      const double length = (nodes(degree) - nodes(0)) / n_pieces;
+      Piece &added = pieces.emplace_back(Piece{ first, {}, Eigen::MatrixXd::Identity(3, degree + 1) });
+      for (unsigned int sample = 0; sample < 3; ++sample)
+      {
+        added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
+        if (degree != 2) // if the degree is 2, the samples coincide with the nodes
+          added.shape.row(sample) = ring::lagrange_values(nodes, added.radii(sample));
+      }
+    }
+  return pieces;
+}
+
+} // namespace
 
 BodyOfRevolution::BodyOfRevolution(ContactCompliance compliance_given, const Gap &gap, unsigned int n_lines)
     : response(std::move(compliance_given), n_lines)
@@ -24,30 +55,8 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   const ContactCompliance &circles = response.compliance();
   const FourierBasis &basis = response.basis();
   const unsigned int n_radii = circles.n_nodes(), n_lines = basis.n_lines(), degree = circles.degree;
-  const unsigned int n_pieces = degree > 2 ? 2 : 1;
   const double width = FourierBasis::norm(0) / n_lines;
-  // Contact line of an element or of half an element; equal at all azimuths.
-  struct Piece
-  {
-    unsigned int first;
-    Eigen::Vector3d radii;
-    Eigen::Matrix<double, 3, Eigen::Dynamic> shape;
-  };
-  std::vector<Piece> pieces;
-  for (unsigned int first = 0; first + degree < n_radii; first += degree)
-    for (unsigned int piece = 0; piece < n_pieces; ++piece)
-    {
-      const Eigen::VectorXd nodes = circles.radii.segment(first, degree + 1);
-      const double length = (nodes(degree) - nodes(0)) / n_pieces;
-      Piece &added = pieces.emplace_back(Piece{ first, {}, Eigen::MatrixXd::Identity(3, degree + 1) });
-      for (unsigned int sample = 0; sample < 3; ++sample)
-      {
-        added.radii(sample) = nodes(0) + length * (piece + sample / 2.);
-        if (degree != 2) // if the degree is 2, the samples coincide with the nodes
-          added.shape.row(sample) = ring::lagrange_values(nodes, added.radii(sample));
-      }
-    }
-
+  const std::vector<Piece> pieces = pieces_of(circles);
   const auto result = std::make_shared<ContactSurface>();
   result->lines_are_radial = true;
   result->n_sectors = n_lines;
@@ -102,62 +111,32 @@ void BodyOfRevolution::set_gap(const Gap &gap)
 void BodyOfRevolution::set_sliding(const std::optional<SlidingTraction> &traction)
 {
   response.set_sliding(traction);
-  displacement = response.displacement(state);
+  set_forces(state);
+}
+
+Eigen::VectorXd BodyOfRevolution::response_to(const Eigen::VectorXd &forces) const
+{
+  return response.displacement(on_lines(forces)).reshaped();
 }
 
 NewtonIncrement BodyOfRevolution::solve(const Eigen::SparseMatrix<double> &tangent,
                                         const Eigen::VectorXd &forces, const LinearConditions &conditions,
                                         const Eigen::Vector3d &motion)
 {
-  const Eigen::MatrixXd unbalanced = forces.reshaped(state.rows(), state.cols()) - state;
+  const Eigen::MatrixXd unbalanced = on_lines(forces - state);
   // Smaller forces are rounding errors at points that have lost contact.
   const double negligible = 1e-13 * forces.cwiseAbs().maxCoeff();
-  const LineNewton newton(response, tangent, unbalanced, functions, negligible);
-  const LineNewton::Increment found = newton.solve(conditions, conditions.residual(state.reshaped(), motion));
-  increment = found.forces;
-  moved = response.displacement(increment);
-  NewtonIncrement step;
-  step.displacement = moved.reshaped();
-  step.motion = found.motion;
-  step.stability_margin =
-    (found.resistance - conditions.motion_weights()).determinant() / found.resistance.determinant();
-  step.energy_slope = moved.cwiseProduct(state).sum();
-  step.energy_curvature = moved.cwiseProduct(increment).sum();
-  return step;
-}
-
-void BodyOfRevolution::update(double step_length)
-{
-  state += step_length * increment;
-  displacement += step_length * moved;
-}
-
-void BodyOfRevolution::set_forces(const Eigen::VectorXd &forces)
-{
-  state = forces.reshaped(state.rows(), state.cols());
-  displacement = response.displacement(state);
+  const LineIncrement found = line_newton_step(response, tangent, unbalanced, negligible, conditions,
+                                               conditions.residual(state, motion), functions);
+  return step_by(found.forces.reshaped(), found.motion, found.resistance, conditions);
 }
 
 Eigen::Vector3d BodyOfRevolution::motion_of_circle(Eigen::Index i) const
 {
-  const Eigen::RowVectorXd modes = response.basis().project(displacement.row(i)) * (2. / response.n_lines());
+  const Eigen::RowVectorXd modes =
+    response.basis().project(on_lines(displacement).row(i)) * (2. / response.n_lines());
   const double radius = response.compliance().radii(i);
   return { modes(0) / 2, modes(1) / radius, modes(2) / radius };
-}
-
-void BodyOfRevolution::reset()
-{
-  state = displacement = Eigen::MatrixXd::Zero(response.n_radii(), response.n_lines());
-}
-
-double BodyOfRevolution::equilibrium_residual(const Eigen::VectorXd &forces) const
-{
-  return (forces - state.reshaped()).norm() / forces.norm();
-}
-
-unsigned int BodyOfRevolution::n_unknowns() const
-{
-  return response.n_radii() * response.n_lines() + 3;
 }
 
 } // namespace stemware::fem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/elastic_body.h"
+#include "fem/contact/compliant_body.h"
 #include "fem/revolution/elastic_response.h"
 #include "fem/revolution/line_newton.h"
 
@@ -13,9 +13,9 @@ namespace stemware::fem
 
 /// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md). Contact
 /// nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on circle
-/// i and line j. The state is the nodal forces whose elastic response is the displacement. Copies have their
+/// i and line j. Copies have their
 /// own state and share the contact surface.
-class BodyOfRevolution : public ElasticBody
+class BodyOfRevolution : public CompliantBody
 {
 public:
   /// Distance of the undeformed contact zone from a plane table at (r, theta) [m].
@@ -32,39 +32,32 @@ public:
   void set_sliding(const std::optional<SlidingTraction> &traction);
 
   const ContactSurface &contact_surface() const override { return *surface; }
-  Eigen::VectorXd contact_displacement() const override { return displacement.reshaped(); }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
-  void update(double step_length) override;
-
-  void reset() override;
-  Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state.reshaped(); }
-  double equilibrium_residual(const Eigen::VectorXd &forces) const override;
-  unsigned int n_unknowns() const override;
 
   const ElasticResponse &elastic_response() const { return response; }
   const FourierBasis &fourier_basis() const { return response.basis(); }
   const ContactCompliance &contact_compliance() const { return response.compliance(); }
 
-  /// Sets the state to the displacement under nodal @p forces [N].
-  void set_forces(const Eigen::VectorXd &forces);
   /// Returns mean and tilts of the displacement of circle @p i under the forces, as a table motion.
   Eigen::Vector3d motion_of_circle(Eigen::Index i) const;
 
   /// Returns the nodal forces of the state [N], shape [n_radii, n_lines].
-  const Eigen::MatrixXd &forces() const { return state; }
+  Eigen::MatrixXd forces() const { return on_lines(state); }
 
 private:
   /// Returns the contact surface without gaps.
   std::shared_ptr<ContactSurface> lines() const;
+  Eigen::VectorXd response_to(const Eigen::VectorXd &forces) const override;
+  /// Returns nodal @p values in the shape [n_radii, n_lines].
+  Eigen::MatrixXd on_lines(const Eigen::VectorXd &values) const
+  {
+    return values.reshaped(response.n_radii(), response.n_lines());
+  }
 
   ElasticResponse response;
   std::shared_ptr<ContactSurface> surface;
-  Eigen::MatrixXd state;           ///< forces on the lines, shape [n_radii, n_lines]
-  Eigen::MatrixXd displacement;    ///< their elastic response
-  Eigen::MatrixXd increment;       ///< increment of the forces in the last solve()
-  Eigen::MatrixXd moved;           ///< increment of the displacement
-  LineNewton::Functions functions; ///< functions of the last solve()
+  SmoothFunctions functions; ///< functions of the last solve()
 };
 
 } // namespace stemware::fem

@@ -23,8 +23,7 @@ namespace
 std::pair<double, double> contact_of(const Triangulation<2>::active_cell_iterator &cell)
 {
   for (const auto &face : cell->face_iterators())
-    if (face->at_boundary() &&
-        face->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    if (is_on(face, FootBoundary::contact_zone))
       return std::minmax({ face->vertex(0)[0], face->vertex(1)[0] });
   return { 0, 0 };
 }

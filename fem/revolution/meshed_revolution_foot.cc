@@ -2,7 +2,6 @@
 
 #include "fem/revolution/meridian_field.h"
 #include "fem/revolution/meridian_meshes.h"
-#include "fem/revolution/pressure_field.h"
 #include "fem/revolution/revolution_output.h"
 
 #include <algorithm>
@@ -88,9 +87,9 @@ MeridianField MeshedRevolutionFoot::field(const ContactState &state) const
 std::vector<FieldFile> MeshedRevolutionFoot::fields(const ContactState &state) const
 {
   const Zone &zone = zone_of(state);
-  const PressureField pressure(zone.body, *zone.law, state.solution, gap_at(state.slip.orientation));
-  return { { "contact.vtu", revolution_fields(field(state), pressure, state.solution.motion,
-                                              axis(state.slip.orientation)) } };
+  const ring::Orientation &marks = state.slip.orientation;
+  return { { "contact.vtu", revolution_fields(field(state), zone.body, *zone.law, state.solution,
+                                              gap_at(marks), axis(marks)) } };
 }
 
 std::vector<StressedPatch> MeshedRevolutionFoot::section(const ContactState &state, double theta) const

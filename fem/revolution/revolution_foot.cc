@@ -244,11 +244,12 @@ void RevolutionFoot::press(const ContactGuess &guess, ContactState &state) const
     zone.body.reset();
   const LinearConditions conditions = conditions_of(
     zone.body.contact_surface(), first == 0 ? state.demand : state.demand.in_rotated_axes(first));
-  RevolutionContact contact(setup, *interface, zone.body, *zone.law, conditions);
-  state.solution = contact.solve(starts);
-  state.history = contact.history();
+  RevolutionContact contact =
+    solve_revolution_contact(setup, *interface, zone.body, *zone.law, conditions, starts);
+  state.solution = std::move(contact.solution);
+  state.history = std::move(contact.history);
   state.start_rotated_with_waviness =
-    guess.previous && guess.previous->start_rotated_with_waviness != (contact.start_used().value_or(0) > 0);
+    guess.previous && guess.previous->start_rotated_with_waviness != (contact.start_used.value_or(0) > 0);
 }
 
 std::optional<ContactStart> RevolutionFoot::predict_from(const ContactStart &start, unsigned int zone,

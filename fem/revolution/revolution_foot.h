@@ -14,7 +14,8 @@
 namespace stemware::fem
 {
 
-/// Foot as a body of revolution, defined by its compliance; solved by RevolutionContact. Not collective.
+/// Foot as a body of revolution, defined by its compliance; solved by solve_revolution_contact(). Not
+/// collective.
 ///
 ///     RevolutionSetup setup;                                       // glass, table and resolution
 ///     setup.table.interface = std::make_shared<RoughInterface>();

@@ -49,6 +49,57 @@ double von_mises(const Eigen::Matrix3d &stress)
   return std::sqrt(1.5) * deviator.norm();
 }
 
+/// Contact pressure of a body of revolution: by the table law on the azimuth lines, linear between the lines.
+class PressureField
+{
+public:
+  PressureField(const BodyOfRevolution &body, const TableLaw &law, const ContactSolution &solution,
+                BodyOfRevolution::Gap gap_given)
+      : law(law)
+      , compliance(body.contact_compliance())
+      , gap(std::move(gap_given))
+      , displacement(
+          solution.normal_displacement.reshaped(compliance.n_nodes(), body.fourier_basis().n_lines()))
+      , normal_force(solution.forces.sum())
+  {
+  }
+
+  /// Returns the normal force [N].
+  double force() const { return normal_force; }
+
+  /// Returns the pressure [Pa] at @p radius [m] and the azimuths of @p azimuths.
+  Eigen::VectorXd on_circle(double radius, const FourierBasis &azimuths) const
+  {
+    const Eigen::VectorXd &radii = compliance.radii;
+    if (radius < radii(0) || radius > radii(radii.size() - 1))
+      return Eigen::VectorXd::Zero(azimuths.n_lines()); // outside the contact zone
+    const Eigen::VectorXd shape = compliance.shape_at(radius);
+    const Eigen::Index n_lines = displacement.cols();
+    Eigen::VectorXd on_lines = displacement.transpose() * shape;
+    for (Eigen::Index j = 0; j < n_lines; ++j)
+    {
+      const double theta = FourierBasis::norm(0) * static_cast<double>(j) / static_cast<double>(n_lines);
+      on_lines(j) = *law.pressure_at(-gap(radius, theta) - on_lines(j));
+    }
+    Eigen::VectorXd pressure(azimuths.n_lines());
+    for (unsigned int k = 0; k < azimuths.n_lines(); ++k)
+    {
+      const double place = static_cast<double>(k) * static_cast<double>(n_lines) / azimuths.n_lines();
+      const auto before = static_cast<Eigen::Index>(place);
+      const double share = place - static_cast<double>(before);
+      pressure(k) = (1 - share) * on_lines(before % n_lines) + share * on_lines((before + 1) % n_lines);
+    }
+    return pressure;
+  }
+
+private:
+  const TableLaw &law;
+  const ContactCompliance &compliance;
+  const BodyOfRevolution::Gap gap;
+  const Eigen::MatrixXd displacement; ///< relative to the table [m], shape [n_radii, n_lines]
+  const double normal_force;
+};
+
 /// Output nodes of one meridional cell: a grid of pieces, each with the nodes of a Lagrange cell.
 class CellGrid
 {
@@ -144,7 +195,7 @@ private:
   static unsigned int contact_face(const Cell &cell)
   {
     for (const unsigned int face : cell->face_indices())
-      if (cell->face(face)->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone))
+      if (is_on(cell->face(face), FootBoundary::contact_zone))
         return face;
     return numbers::invalid_unsigned_int;
   }
@@ -315,10 +366,10 @@ private:
 
 } // namespace
 
-std::string revolution_fields(const MeridianField &field, const PressureField &pressure,
-                              const Eigen::Vector3d &motion, double axis)
+std::string revolution_fields(const MeridianField &field, const BodyOfRevolution &body, const TableLaw &law,
+                              const ContactSolution &solution, const BodyOfRevolution::Gap &gap, double axis)
 {
-  return FootPicture(field, pressure, motion, axis).text();
+  return FootPicture(field, PressureField(body, law, solution, gap), solution.motion, axis).text();
 }
 
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)

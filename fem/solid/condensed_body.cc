@@ -53,7 +53,7 @@ NodalCompliance condense(const SolidLevel &level, const ElasticMaterial &materia
   if (with_horizontal)
   {
     kept.resize(static_cast<std::size_t>(3 * n));
-    for (const HorizontalPlaces &places : horizontal_places(level.dof_handler, nodes))
+    for (const HorizontalPlaces &places : horizontal_places(level, nodes))
     {
       kept[static_cast<std::size_t>(n) + places.node] = places.x;
       kept[static_cast<std::size_t>(2 * n) + places.node] = places.y;
@@ -84,13 +84,7 @@ void CondensedBody::set_friction(const Eigen::MatrixX2d &friction)
                     compliance->along_y * friction.col(1).asDiagonal();
   else
     with_friction.resize(0, 0);
-  displacement = matrix() * state;
-}
-
-void CondensedBody::set_forces(const Eigen::VectorXd &forces)
-{
-  state = forces;
-  displacement = matrix() * state;
+  set_forces(state);
 }
 
 NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
@@ -102,7 +96,7 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   // the conditions, and motion weights H. Nodes with zero tangent have ds = f - s.
   const std::vector<Eigen::Index> loaded = nodes_with_tangent(tangent);
   const Eigen::VectorXd unbalanced = forces - state;
-  increment = unbalanced;
+  Eigen::VectorXd increment = unbalanced;
   increment(loaded).setZero();
   const Eigen::MatrixX3d modes = surface.motion_modes();
   const Eigen::MatrixXd tangent_modes = tangent * modes, of_rest = tangent * (matrix() * increment);
@@ -122,34 +116,12 @@ NewtonIncrement CondensedBody::solve(const Eigen::SparseMatrix<double> &tangent,
   const double radius = modes.rightCols<2>().rowwise().norm().maxCoeff();
   const Eigen::DiagonalMatrix<double, 3> scale(1, 1 / radius, 1 / radius);
   const Eigen::Matrix3d scaled = scale * net_resistance * scale;
-  NewtonIncrement step;
-  step.motion = scale * scaled.partialPivLu().solve(scale * residual).eval();
-  step.stability_margin = net_resistance.determinant() / resistance.determinant();
-  increment(loaded) -= solved.leftCols<3>() * step.motion;
-  if (!increment.allFinite() || !step.motion.allFinite())
+  const Eigen::Vector3d motion_step = scale * scaled.partialPivLu().solve(scale * residual).eval();
+  increment(loaded) -= solved.leftCols<3>() * motion_step;
+  if (!increment.allFinite() || !motion_step.allFinite())
     throw ContactFailure(ContactOutcome::linear_solver_failed,
                          "the contact system is singular: the loaded points do not support the foot.");
-  moved = matrix() * increment;
-  step.displacement = moved;
-  step.energy_slope = moved.dot(state);
-  step.energy_curvature = moved.dot(increment);
-  return step;
-}
-
-void CondensedBody::update(double step_length)
-{
-  state += step_length * increment;
-  displacement += step_length * moved;
-}
-
-void CondensedBody::reset()
-{
-  state = displacement = Eigen::VectorXd::Zero(surface.n_nodes());
-}
-
-double CondensedBody::equilibrium_residual(const Eigen::VectorXd &forces) const
-{
-  return (forces - state).norm() / forces.norm();
+  return step_by(std::move(increment), motion_step, resistance, conditions);
 }
 
 } // namespace stemware::fem

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/elastic_body.h"
+#include "fem/contact/compliant_body.h"
 #include "fem/geometry/elastic_material.h"
 #include "fem/solid/contact_nodes.h"
 #include "fem/solid/mesh_hierarchy.h"
@@ -23,9 +23,8 @@ struct NodalCompliance
 NodalCompliance condense(const SolidLevel &level, const ElasticMaterial &material, const ContactNodes &nodes,
                          bool with_horizontal);
 
-/// Solid foot condensed to its contact nodes: a Newton step is a dense system of the loaded nodes. The state
-/// is the nodal forces whose elastic response is the displacement.
-class CondensedBody : public ElasticBody
+/// Solid foot condensed to its contact nodes: a Newton step is a dense system of the loaded nodes.
+class CondensedBody : public CompliantBody
 {
 public:
   /// @p surface of one rank, which must outlive the body.
@@ -33,30 +32,21 @@ public:
 
   /// Sets the friction force (x, y) on the foot per normal force, shape [n_nodes, 2]; empty: no friction.
   void set_friction(const Eigen::MatrixX2d &friction);
-  /// Sets the state to the displacement under nodal @p forces [N].
-  void set_forces(const Eigen::VectorXd &forces);
 
   const ContactSurface &contact_surface() const override { return surface; }
-  Eigen::VectorXd contact_displacement() const override { return displacement; }
   NewtonIncrement solve(const Eigen::SparseMatrix<double> &tangent, const Eigen::VectorXd &forces,
                         const LinearConditions &conditions, const Eigen::Vector3d &motion) override;
-  void update(double step_length) override;
-  void reset() override;
-  Eigen::VectorXd elastic_forces(const Eigen::VectorXd &) const override { return state; }
-  double equilibrium_residual(const Eigen::VectorXd &forces) const override;
-  unsigned int n_unknowns() const override { return static_cast<unsigned int>(state.size()) + 3; }
 
 private:
-  const ContactSurface &surface;
-  const std::shared_ptr<const NodalCompliance> compliance;
-  Eigen::MatrixXd with_friction; ///< compliance of normal forces with their friction; empty without friction
-  Eigen::VectorXd state, displacement;
-  Eigen::VectorXd increment, moved; ///< force and displacement increments of the last solve()
-
   const Eigen::MatrixXd &matrix() const
   {
     return with_friction.size() > 0 ? with_friction : compliance->normal;
   }
+  Eigen::VectorXd response_to(const Eigen::VectorXd &forces) const override { return matrix() * forces; }
+
+  const ContactSurface &surface;
+  const std::shared_ptr<const NodalCompliance> compliance;
+  Eigen::MatrixXd with_friction; ///< compliance of normal forces with their friction; empty without friction
 };
 
 } // namespace stemware::fem

@@ -1,5 +1,5 @@
 #include "fem/geometry/boundary_ids.h"
-#include "fem/solid/contact_stiffness.h"
+#include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/solid_contact_zone.h"
 
 #include <deal.II/base/geometry_info.h>
@@ -49,7 +49,7 @@ using Row = std::vector<std::pair<global_dof_index, double>>;
 template <typename T>
 using ToRanks = std::map<unsigned int, std::vector<T>>;
 
-DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active_cell_iterator &cell)
+DofShares shares_of(const SolidLevel &elements, const DoFHandler<3>::active_cell_iterator &cell)
 {
   const FiniteElement<3> &element = elements.dof_handler.get_fe();
   std::vector<global_dof_index> dofs(element.n_dofs_per_cell());
@@ -72,14 +72,14 @@ DofShares shares_of(const ContactElements &elements, const DoFHandler<3>::active
 class CellDirectory
 {
 public:
-  explicit CellDirectory(const ContactElements &elements)
+  explicit CellDirectory(const SolidLevel &elements)
       : communicator(elements.dof_handler.get_communicator())
   {
     ComponentMask vertical(3, false);
     vertical.set(2, true);
     IndexSet near_zone = DoFTools::extract_boundary_dofs(
       elements.dof_handler, vertical, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
-    const std::vector<global_dof_index> resolved = contact_dofs(elements.dof_handler, elements.constraints);
+    const std::vector<global_dof_index> resolved = contact_dofs(elements);
     near_zone.add_indices(resolved.begin(), resolved.end());
     ToRanks<SharesOfCell> entries;
     for (const auto &cell : elements.dof_handler.active_cell_iterators())
@@ -140,8 +140,7 @@ std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
   return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
 }
 
-std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements &fine,
-                            const ContactNodes &fine_nodes)
+std::vector<Row> owned_rows(const SolidLevel &coarse, const SolidLevel &fine, const ContactNodes &fine_nodes)
 {
   const FiniteElement<3> &coarse_element = coarse.dof_handler.get_fe();
   const std::vector<Point<3>> &points = fine.dof_handler.get_fe().get_unit_support_points();
@@ -196,7 +195,7 @@ std::vector<Row> owned_rows(const ContactElements &coarse, const ContactElements
 
 } // namespace
 
-ContactInterpolation interpolation_between(const ContactElements &coarse, const ContactElements &fine,
+ContactInterpolation interpolation_between(const SolidLevel &coarse, const SolidLevel &fine,
                                            const ContactNodes &fine_nodes)
 {
   const MPI_Comm &communicator = fine.dof_handler.get_communicator();
@@ -213,7 +212,7 @@ ContactInterpolation interpolation_between(const ContactElements &coarse, const 
   for (const auto &received : Utilities::MPI::some_to_some(communicator, answers))
     rows.insert(rows.end(), received.second.begin(), received.second.end());
 
-  std::vector<global_dof_index> needed = contact_dofs(coarse.dof_handler, coarse.constraints);
+  std::vector<global_dof_index> needed = contact_dofs(coarse);
   for (const Row &row : rows)
     for (const auto &entry : row)
       needed.push_back(entry.first);

@@ -2,8 +2,6 @@
 
 #include "fem/solid/contact_nodes.h"
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/lac/la_parallel_vector.h>
 
 #include <Eigen/SparseCore>
@@ -12,6 +10,8 @@
 
 namespace stemware::fem
 {
+
+struct SolidLevel;
 
 /// Contribution B' T B of the table to the tangent stiffness of a mesh.
 class ContactStiffness
@@ -42,13 +42,6 @@ private:
   RowMatrix stiffness;
 };
 
-/// Finite elements of a mesh, restricted to its contact nodes.
-struct ContactElements
-{
-  const dealii::DoFHandler<3> &dof_handler;
-  const dealii::AffineConstraints<double> &constraints;
-};
-
 /// Contact nodes of a coarse mesh, and their interpolation to the contact nodes of a finer mesh.
 struct ContactInterpolation
 {
@@ -58,7 +51,7 @@ struct ContactInterpolation
 
 /// Returns the interpolation from contact nodes of @p coarse to @p fine_nodes of @p fine. Cells of the two
 /// meshes are equal or parent and child; elements and ranks may differ.
-ContactInterpolation interpolation_between(const ContactElements &coarse, const ContactElements &fine,
+ContactInterpolation interpolation_between(const SolidLevel &coarse, const SolidLevel &fine,
                                            const ContactNodes &fine_nodes);
 
 } // namespace stemware::fem

@@ -39,8 +39,7 @@ bool touches_contact(const Cell &cell, double inner, double outer)
 {
   for (const auto &face : cell->face_iterators())
   {
-    if (!face->at_boundary() ||
-        face->boundary_id() != static_cast<types::boundary_id>(FootBoundary::contact_zone))
+    if (!is_on(face, FootBoundary::contact_zone))
       continue;
     double face_inner = std::numeric_limits<double>::max(), face_outer = 0;
     for (const unsigned int v : face->vertex_indices())
@@ -263,6 +262,20 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
   return sums;
 }
 
+/// Replaces the @p values of the cells of a ring by the absolute value of their mean. Equal error indicators
+/// on each ring keep an axisymmetric mesh axisymmetric.
+void average_over_rings(const CellNumbers &numbers, std::vector<double> &values)
+{
+  for (const std::vector<std::size_t> &ring : numbers.rings())
+  {
+    double sum = 0;
+    for (const std::size_t cell : ring)
+      sum += values[cell];
+    for (const std::size_t cell : ring)
+      values[cell] = std::abs(sum) / static_cast<double>(ring.size());
+  }
+}
+
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
@@ -336,15 +349,7 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   hierarchy->level(finest).constraints.set_zero(products);
   const CellNumbers numbers(dofs.get_triangulation());
   error.cells = sums_over_cells(hierarchy->level(finest), products, numbers);
-  // Equal error indicators on each ring of cells keep an axisymmetric mesh axisymmetric.
-  for (const std::vector<std::size_t> &ring : numbers.rings())
-  {
-    double sum = 0;
-    for (const std::size_t cell : ring)
-      sum += error.cells[cell];
-    for (const std::size_t cell : ring)
-      error.cells[cell] = std::abs(sum) / static_cast<double>(ring.size());
-  }
+  average_over_rings(numbers, error.cells);
   return error;
 }
 

@@ -72,17 +72,14 @@ struct MeshHierarchy::Cycle
 
   void find_contact_nodes(unsigned int finest)
   {
-    const auto elements = [&](unsigned int l) {
-      return ContactElements{ levels[l]->dof_handler, levels[l]->constraints };
-    };
     const DoFHandler<3> &dofs = levels[finest]->dof_handler;
     contact_nodes.resize(finest + 1);
     contact_nodes[finest] = std::make_shared<ContactNodes>(
-      dofs.locally_owned_dofs(), contact_dofs(dofs, levels[finest]->constraints), dofs.get_communicator());
+      dofs.locally_owned_dofs(), contact_dofs(*levels[finest]), dofs.get_communicator());
     interpolations.resize(finest + 1);
     for (unsigned int l = finest; l > 0; --l)
     {
-      ContactInterpolation found = interpolation_between(elements(l - 1), elements(l), *contact_nodes[l]);
+      ContactInterpolation found = interpolation_between(*levels[l - 1], *levels[l], *contact_nodes[l]);
       contact_nodes[l - 1] = std::move(found.coarse_nodes);
       interpolations[l] = found.matrix;
     }

@@ -57,9 +57,8 @@ SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const ElasticMateri
     , linear_tolerance(linear_tolerance)
     , line_factor(line_factor)
     , contact(stiffness->contact_nodes())
-    , zone(describe_contact_zone(mesh().mapping, mesh().dof_handler, mesh().constraints,
-                                 stiffness->contact_nodes(), gap, line_factor * default_lines_per_face))
-    , horizontal(horizontal_places(mesh().dof_handler, contact.nodes()))
+    , zone(describe_contact_zone(mesh(), contact.nodes(), gap, line_factor * default_lines_per_face))
+    , horizontal(horizontal_places(mesh(), contact.nodes()))
 {
   for (Vector *vector : { &displacement, &elastic_forces })
     stiffness->initialize(*vector);

@@ -2,9 +2,9 @@
 
 #include "fem/contact/line_integral.h"
 #include "fem/geometry/boundary_ids.h"
+#include "fem/solid/mesh_hierarchy.h"
 #include "ring_model/load/constants.h"
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe.h>
 #include <deal.II/fe/fe_values.h>
@@ -67,8 +67,7 @@ struct SampledFace
 
 bool is_contact_face(const DoFHandler<3>::active_cell_iterator &cell, unsigned int f)
 {
-  return cell->is_locally_owned() && cell->face(f)->at_boundary() &&
-         cell->face(f)->boundary_id() == static_cast<types::boundary_id>(FootBoundary::contact_zone);
+  return cell->is_locally_owned() && is_on(cell->face(f), FootBoundary::contact_zone);
 }
 
 /// Returns a tensor grid of @p n x @p n equidistant points on [0, 1]^2; the first direction runs fastest.
@@ -81,18 +80,17 @@ Quadrature<2> equidistant_samples(unsigned int n)
   return Quadrature<2>(points);
 }
 
-std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
-                                      const AffineConstraints<double> &constraints)
+std::vector<SampledFace> sample_faces(const SolidLevel &mesh)
 {
-  const FiniteElement<3> &element = dof_handler.get_fe();
+  const FiniteElement<3> &element = mesh.element;
   // Above degree 2, the shape functions are approximated by a quadratic on each half of an edge.
   const unsigned int n_parts = element.degree > 2 ? 2 : 1;
   const unsigned int n_samples = 2 * n_parts + 1;
-  FEFaceValues<3> fe_values(mapping, element, equidistant_samples(n_samples),
+  FEFaceValues<3> fe_values(mesh.mapping, element, equidistant_samples(n_samples),
                             update_values | update_quadrature_points);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   std::vector<SampledFace> faces;
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  for (const auto &cell : mesh.dof_handler.active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
       if (!is_contact_face(cell, f))
@@ -112,10 +110,10 @@ std::vector<SampledFace> sample_faces(const Mapping<3> &mapping, const DoFHandle
           for (unsigned int s = 0; s < 3; ++s)
             for (unsigned int t = 0; t < 3; ++t)
               values(s, t) = fe_values.shape_value(i, sample(s, t));
-          if (!constraints.is_constrained(cell_dofs[i]))
+          if (!mesh.constraints.is_constrained(cell_dofs[i]))
             face.add(cell_dofs[i], values);
           else
-            for (const auto &[dof, weight] : *constraints.get_constraint_entries(cell_dofs[i]))
+            for (const auto &[dof, weight] : *mesh.constraints.get_constraint_entries(cell_dofs[i]))
               face.add(dof, weight * values);
         }
         for (unsigned int s = 0; s < 3; ++s)
@@ -177,12 +175,12 @@ std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const
 /// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, with one of this rank's
 /// cells at the node and the node's shape function in this cell. The cell may have no contact face.
 template <typename Visit>
-void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nodes, const Visit &visit)
+void for_each_own_node(const SolidLevel &mesh, const ContactNodes &nodes, const Visit &visit)
 {
-  const FiniteElement<3> &element = dof_handler.get_fe();
+  const FiniteElement<3> &element = mesh.element;
   std::vector<bool> is_visited(nodes.n_owned_nodes(), false);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  for (const auto &cell : mesh.dof_handler.active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;
@@ -200,15 +198,15 @@ void for_each_own_node(const DoFHandler<3> &dof_handler, const ContactNodes &nod
   }
 }
 
-void describe_nodes(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler, const ContactNodes &nodes,
-                    const SolidGap &gap, ContactSurface &surface)
+void describe_nodes(const SolidLevel &mesh, const ContactNodes &nodes, const SolidGap &gap,
+                    ContactSurface &surface)
 {
-  const std::vector<Point<3>> &points = dof_handler.get_fe().get_unit_support_points();
+  const std::vector<Point<3>> &points = mesh.element.get_unit_support_points();
   Eigen::MatrixX3d coordinates(nodes.n_owned_nodes(), 3);
-  for_each_own_node(dof_handler, nodes,
+  for_each_own_node(mesh, nodes,
                     [&](const auto &cell, unsigned int shape, unsigned int node, const auto &)
                     {
-                      const Point<3> position = mapping.transform_unit_to_real_cell(cell, points[shape]);
+                      const Point<3> position = mesh.mapping.transform_unit_to_real_cell(cell, points[shape]);
                       coordinates.row(node) << position[0], position[1], position[2];
                     });
   surface.node_position.resize(nodes.n_nodes(), 2);
@@ -250,24 +248,24 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
     std::max(1., std::round(2 * ring::pi * n_faces / surface.parts.sum(total_width))));
 }
 
-double smallest_edge(const std::vector<SampledFace> &faces, const MPI_Comm &communicator)
+double smallest_edge(const std::vector<SampledFace> &faces, const SurfaceParts &parts)
 {
   double smallest = std::numeric_limits<double>::max();
   for (const SampledFace &face : faces)
     for (unsigned int direction = 0; direction < 2; ++direction)
       smallest = std::min(smallest, face.edge_direction(direction).norm());
-  return Utilities::MPI::min(smallest, communicator);
+  return parts.min(smallest);
 }
 
 } // namespace
 
-std::vector<HorizontalPlaces> horizontal_places(const DoFHandler<3> &dof_handler, const ContactNodes &nodes)
+std::vector<HorizontalPlaces> horizontal_places(const SolidLevel &mesh, const ContactNodes &nodes)
 {
-  const FiniteElement<3> &element = dof_handler.get_fe();
-  const IndexSet &owned = dof_handler.locally_owned_dofs();
+  const FiniteElement<3> &element = mesh.element;
+  const IndexSet &owned = mesh.dof_handler.locally_owned_dofs();
   std::vector<HorizontalPlaces> places;
   for_each_own_node(
-    dof_handler, nodes,
+    mesh, nodes,
     [&](const auto &, unsigned int shape, unsigned int node, const std::vector<global_dof_index> &cell_dofs)
     {
       const unsigned int support = element.system_to_component_index(shape).second;
@@ -281,12 +279,11 @@ std::vector<HorizontalPlaces> horizontal_places(const DoFHandler<3> &dof_handler
   return places;
 }
 
-std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
-                                           const AffineConstraints<double> &constraints)
+std::vector<global_dof_index> contact_dofs(const SolidLevel &mesh)
 {
-  const FiniteElement<3> &element = dof_handler.get_fe();
+  const FiniteElement<3> &element = mesh.element;
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell()), dofs;
-  for (const auto &cell : dof_handler.active_cell_iterators())
+  for (const auto &cell : mesh.dof_handler.active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
       if (!is_contact_face(cell, f))
@@ -296,10 +293,10 @@ std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
       {
         if (element.system_to_component_index(i).first != 2 || !element.has_support_on_face(i, f))
           continue;
-        if (!constraints.is_constrained(cell_dofs[i]))
+        if (!mesh.constraints.is_constrained(cell_dofs[i]))
           dofs.push_back(cell_dofs[i]);
         else
-          for (const auto &entry : *constraints.get_constraint_entries(cell_dofs[i]))
+          for (const auto &entry : *mesh.constraints.get_constraint_entries(cell_dofs[i]))
             dofs.push_back(entry.first);
       }
     }
@@ -308,24 +305,20 @@ std::vector<global_dof_index> contact_dofs(const DoFHandler<3> &dof_handler,
   return dofs;
 }
 
-SolidContactZone describe_contact_zone(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler,
-                                       const AffineConstraints<double> &constraints,
-                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap,
+SolidContactZone describe_contact_zone(const SolidLevel &mesh, const ContactNodes &nodes, const SolidGap &gap,
                                        unsigned int lines_per_face)
 {
-  const MPI_Comm &communicator = dof_handler.get_communicator();
-  const std::vector<SampledFace> faces = sample_faces(mapping, dof_handler, constraints);
+  const std::vector<SampledFace> faces = sample_faces(mesh);
   SolidContactZone zone;
-  zone.nodes = nodes;
-  zone.surface.parts = nodes->parts();
-  zone.surface.n_ghost_nodes = nodes->n_nodes() - nodes->n_owned_nodes();
+  zone.surface.parts = nodes.parts();
+  zone.surface.n_ghost_nodes = nodes.n_nodes() - nodes.n_owned_nodes();
   if (!zone.surface.parts.any(!faces.empty()))
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");
-  describe_nodes(mapping, dof_handler, *nodes, gap, zone.surface);
-  zone.surface.lines = make_lines(faces, *nodes, gap, lines_per_face);
-  measure(zone.surface, *nodes, lines_per_face);
-  zone.smallest_cell = smallest_edge(faces, communicator);
+  describe_nodes(mesh, nodes, gap, zone.surface);
+  zone.surface.lines = make_lines(faces, nodes, gap, lines_per_face);
+  measure(zone.surface, nodes, lines_per_face);
+  zone.smallest_cell = smallest_edge(faces, zone.surface.parts);
   return zone;
 }
 

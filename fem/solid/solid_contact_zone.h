@@ -3,14 +3,13 @@
 #include "fem/contact/contact_surface.h"
 #include "fem/solid/contact_nodes.h"
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/mapping.h>
-#include <deal.II/lac/affine_constraints.h>
-
 #include <functional>
+#include <vector>
 
 namespace stemware::fem
 {
+
+struct SolidLevel;
 
 /// Lines of a contact face: many, because line integrals are not smooth across the contact's border.
 constexpr unsigned int default_lines_per_face = 8;
@@ -18,11 +17,10 @@ constexpr unsigned int default_lines_per_face = 8;
 /// Gap between the undeformed contact zone and a plane table at (x, y), in addition to the z of the mesh [m].
 using SolidGap = std::function<double(double x, double y)>;
 
-/// Part of the contact zone of a hexahedral mesh on this rank, with the dofs of its nodes.
+/// Part of the contact zone of a hexahedral mesh on this rank.
 struct SolidContactZone
 {
   ContactSurface surface;
-  std::shared_ptr<const ContactNodes> nodes;
   double smallest_cell = 0; ///< shortest edge of a contact face of all ranks [m]
 };
 
@@ -34,21 +32,16 @@ struct HorizontalPlaces
 };
 
 /// Returns the places of the horizontal displacements of the owned contact @p nodes.
-std::vector<HorizontalPlaces> horizontal_places(const dealii::DoFHandler<3> &dof_handler,
-                                                const ContactNodes &nodes);
+std::vector<HorizontalPlaces> horizontal_places(const SolidLevel &mesh, const ContactNodes &nodes);
 
 /// Returns the vertical dofs on this rank's faces of FootBoundary::contact_zone, parents instead of hanging
 /// nodes.
-std::vector<dealii::types::global_dof_index>
-contact_dofs(const dealii::DoFHandler<3> &dof_handler, const dealii::AffineConstraints<double> &constraints);
+std::vector<dealii::types::global_dof_index> contact_dofs(const SolidLevel &mesh);
 
 /// Describes this rank's faces with FootBoundary::contact_zone; @p nodes include contact_dofs(). A face has
 /// @p lines_per_face lines at Gauss points of its more azimuthal direction; hanging nodes are replaced by
 /// their parents; the gap is z plus @p gap(x, y). Throws std::invalid_argument if no rank has such a face.
-SolidContactZone describe_contact_zone(const dealii::Mapping<3> &mapping,
-                                       const dealii::DoFHandler<3> &dof_handler,
-                                       const dealii::AffineConstraints<double> &constraints,
-                                       const std::shared_ptr<const ContactNodes> &nodes, const SolidGap &gap,
-                                       unsigned int lines_per_face = default_lines_per_face);
+SolidContactZone describe_contact_zone(const SolidLevel &mesh, const ContactNodes &nodes, const SolidGap &gap,
+                                       unsigned int lines_per_face);
 
 } // namespace stemware::fem

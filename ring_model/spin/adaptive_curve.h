@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <functional>
-#include <map>
+#include <memory>
 #include <vector>
 
 namespace stemware::ring
@@ -42,46 +42,22 @@ public:
   /// Returns the interpolated value; exact at the nodes, constant beyond the ends.
   Eigen::VectorXd operator()(double x) const;
 
-  std::size_t n_pieces() const { return pieces.size(); }
+  std::size_t n_pieces() const;
   /// Returns the beginning (upper(): the end) of the sampled interval.
-  double lower() const { return pieces.front().begin; }
-  double upper() const { return pieces.back().end; }
-  bool covers(double x) const { return lower() <= x && x <= upper(); }
+  double lower() const { return begin; }
+  double upper() const { return end; }
+  bool covers(double x) const { return begin <= x && x <= end; }
   /// Returns the number of samples without cached values.
   std::size_t n_samples() const { return n_new; }
   /// Returns a bound on the interpolation error, confirmed by the last samples.
   double error() const;
 
 private:
-  /// Polynomial in a smooth coordinate: next to a kink, the square root of the distance to it.
-  struct Piece
-  {
-    /// Returns the smooth coordinate, from 0 to 1.
-    double coordinate(double x) const;
-    /// Returns x at a smooth coordinate, the inverse of coordinate().
-    double place(double coordinate) const;
-    Eigen::VectorXd at(double x) const;
-    double error() const;
-    void add(double x, const Eigen::VectorXd &value);
+  struct Piece;
+  class Sampling;
 
-    double begin, end;
-    bool kink_at_begin, kink_at_end;
-    double estimate = 0;             ///< estimate of the interpolation error, from the nodes
-    Eigen::ArrayXd nodes = {};       ///< coordinates of the samples
-    Eigen::ArrayXd barycentric = {}; ///< weights of the nodes in the barycentric formula
-    Eigen::MatrixXd values = {};     ///< shape [size of a value, number of nodes]
-  };
-
-  const Eigen::VectorXd &sample(const CurveSource &source, double x);
-  Piece through_ends(const CurveSource &source, double begin, double end, bool kink_at_begin,
-                     bool kink_at_end);
-  /// Adds a sample at the next Leja point; it measures the error of the previous polynomial.
-  void refine(const CurveSource &source, Piece &piece);
-  /// Returns the next Leja point (largest product of distances to all nodes), or a good cached point.
-  double next_place(const Piece &piece) const;
-
-  std::map<double, Eigen::VectorXd> samples; ///< samples by x
-  std::vector<Piece> pieces;                 ///< ascending
-  std::size_t n_new = 0;                     ///< number of new samples
+  double begin, end;
+  std::shared_ptr<const std::vector<Piece>> pieces; ///< ascending
+  std::size_t n_new = 0;                            ///< number of new samples
 };
 } // namespace stemware::ring

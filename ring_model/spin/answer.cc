@@ -50,12 +50,6 @@ std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const 
   return spin && *spin != 0 ? spin : std::nullopt;
 }
 
-std::string fall_sentence(const Fall &fall)
-{
-  return sentence("the glass stands at rest and tips while it spins up, at ", rounded_text(fall.omega, 3),
-                  " rad/s and a moment ratio of ", rounded_text(fall.state.moment_ratio, 3));
-}
-
 /// Replaces the terminal spin of @p found, a zero of the mean torque, by the long-time mean of the spin.
 void take_long_run_mean(const Load &load, const Question &question, double spin_scale, Answer &found)
 {
@@ -78,28 +72,27 @@ void take_long_run_mean(const Load &load, const Question &question, double spin_
                torque_scale = slope > 0 ? slope * spin_scale : friction_torque;
   const PhasedTorqueFunction torque =
     tabulated_torque(load, motion, spin.omega, reach, 0.03 * accuracy * torque_scale);
-  const LongTimeSpin mean = long_time_spin(observed(torque, question.observer), motion.yaw_inertia,
+  const TerminalSpin mean = long_time_spin(observed(torque, question.observer), motion.yaw_inertia,
                                            spin.omega, averaging_window(phases.periods(), motion, spin),
                                            accuracy, spin_scale, question.grip_torque);
-  spin.omega = mean.mean;
-  found.ripple = mean.ripple;
+  spin.omega = mean.omega;
+  spin.ripple = mean.ripple;
   // The error of the load interpolated in the phase averages out unless the ripple keeps the glass longer at
   // some phases. The factor `longer` estimates the part of this error that remains.
-  const double turning = std::abs(mean.mean - motion.orbit_rate());
+  const double turning = std::abs(mean.omega - motion.orbit_rate());
   const double longer = phases.phases().glass.size() == 1 ? 0
                         : mean.ripple < turning           ? mean.ripple / turning
                                                           : 1;
-  const auto [of_mean, between] = phases.error(mean.mean - mean.ripple, mean.mean + mean.ripple);
+  const auto [of_mean, between] = phases.error(mean.omega - mean.ripple, mean.omega + mean.ripple);
   const double torque_error =
     (of_mean + longer * between) * motion.friction_coefficient * motion.normal_force() * load.radius();
-  found.spin_uncertainty = mean.uncertainty;
+  spin.uncertainty = mean.uncertainty;
   if (!spin.held)
-    found.spin_uncertainty += torque_error / std::abs(spin.torque_slope);
+    spin.uncertainty += torque_error / std::abs(spin.torque_slope);
 }
 
-/// Adds the terminal spin to @p found, or its long-time mean if the load depends on the phase. Returns a spin
-/// [rad/s] close to the terminal spin; the load has been evaluated at the returned spin.
-double find_terminal(const Load &load, const Question &question, Answer &found)
+/// Adds the terminal spin to @p found, or its long-time mean if the load depends on the phase.
+void find_terminal(const Load &load, const Question &question, Answer &found)
 {
   const Motion &motion = question.motion;
   const auto torque = [&](double omega) { return yaw_torque(load, motion, omega); };
@@ -115,26 +108,19 @@ double find_terminal(const Load &load, const Question &question, Answer &found)
   if (const PhaseSampledLoad *phases = load.phases())
     if (const std::optional<double> near = spin_at_first_phase(*phases, motion, search))
       search.initial_guess = near;
-  double asked = 0;
   if (question.with_slope || load.phases())
-  {
     found.terminal = terminal_spin(torque, motion.yaw_inertia, search);
-    asked = found.terminal->omega;
-  }
   else
   {
-    std::optional<SpinZero> zero;
     if (question.zero_guess)
-      zero = find_terminal_spin_near(*question.zero_guess, torque, search);
-    if (!zero)
-      zero = find_terminal_spin(torque, search);
-    found.terminal = { zero->omega, nan, nan, true, zero->held };
-    asked = zero->asked;
+      found.terminal = find_terminal_spin_near(*question.zero_guess, torque, search);
+    if (!found.terminal)
+      found.terminal = find_terminal_spin(torque, search);
+    found.terminal->torque_slope = nan; // a secant's slope is not accurate enough
   }
   found.zero_of_mean_torque = found.terminal->omega;
   if (load.phases())
     take_long_run_mean(load, question, search.spin_scale, found);
-  return asked;
 }
 
 /// Fills @p found with the terminal spin, or with the spin at which the glass tips.
@@ -143,22 +129,24 @@ void find_spin(const Load &load, const Question &question, Answer &found)
   found.harmonics = load.n_harmonics();
   found.at_rest = ring_state(load.at(0), question, 0);
   Answer searched = found; // `found` must contain no terminal spin if the glass tips
-  double asked = 0;
   try
   {
-    asked = find_terminal(load, question, searched);
+    find_terminal(load, question, searched);
   }
   catch (const BalanceLost &lost)
   {
     if (!lost.tips())
       throw;
     found.status = Status::tips;
-    found.fall = { lost.last_spin, ring_state(load.at(lost.last_spin), question, lost.last_spin) };
-    found.reason = fall_sentence(*found.fall);
+    found.fall = ring_state(load.at(lost.last_spin), question, lost.last_spin);
+    found.reason =
+      sentence("the glass stands at rest and tips while it spins up, at ", rounded_text(found.fall->omega, 3),
+               " rad/s and a moment ratio of ", rounded_text(found.fall->moment_ratio, 3));
     return;
   }
   found = searched;
-  found.at_terminal = ring_state(load.at(asked), question, asked);
+  const double evaluated_at = found.terminal->evaluated_at;
+  found.at_terminal = ring_state(load.at(evaluated_at), question, evaluated_at);
   found.status = found.at_terminal->minimum < 0 ? Status::formal : Status::full_contact;
 }
 
@@ -184,6 +172,7 @@ RingState ring_state(const Sample &load, const Question &question, double omega)
   state.moment_ratio = load.moment_ratio(question.contact_radius.value_or(load.radius()));
   state.minimum = load.minimum();
   state.pulling_share = state.minimum < 0 ? load.pulling_force() / load.normal_force() : 0;
+  state.omega = omega;
   return state;
 }
 
@@ -203,11 +192,10 @@ std::optional<double> Answer::time_constant() const
                                                             : std::nullopt;
 }
 
-std::optional<ZeroGuess> Answer::zero_guess() const
+std::optional<TerminalSpin> Answer::zero_guess() const
 {
-  if (!terminal || terminal->held || !(terminal->torque_slope < 0) || terminal->omega == 0)
-    return std::nullopt;
-  return ZeroGuess{ terminal->omega, terminal->torque_slope };
+  const bool is_usable = terminal && terminal->torque_slope < 0 && terminal->omega != 0;
+  return is_usable ? terminal : std::nullopt;
 }
 
 bool Answer::pulls() const
@@ -280,9 +268,9 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion)
 {
   constexpr double negligible = 1e-12; // change of the spin, relative to the terminal spin
-  const std::optional<ZeroGuess> zero = all.zero_guess();
+  const std::optional<TerminalSpin> zero = all.zero_guess();
   return zero && TorqueByHarmonics(motion, all.at_terminal->load, zero->omega).bound(n_harmonics) <
-                   negligible * std::abs(zero->slope * zero->omega);
+                   negligible * std::abs(zero->torque_slope * zero->omega);
 }
 
 double yaw_torque(const Load &load, const Motion &motion, double omega,

@@ -27,7 +27,7 @@ struct Question
   std::optional<double> contact_radius = {};
   double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
   /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
-  std::optional<ZeroGuess> zero_guess = {};
+  std::optional<TerminalSpin> zero_guess = {};
   bool with_slope = false;    ///< compute slope and time constant: four more loads
   TimeObserver observer = {}; ///< called during long runs and spin-ups
 };
@@ -64,6 +64,7 @@ struct RingState : Torques
   double moment_ratio = 0.;  ///< |M_N| / (N R / 2) with Question::contact_radius
   double minimum = 0.;       ///< minimum of lambda [N/rad]
   double pulling_share = 0.; ///< RingStack::pulling_force() over N
+  double omega = 0.;         ///< [rad/s]
 };
 
 /// Returns the torques of @p question under @p load, the load at the spin @p omega [rad/s].
@@ -72,13 +73,6 @@ Torques torques_at(const Sample &load, const Question &question, double omega);
 /// Returns the state of the ring under @p load, the load at the spin @p omega [rad/s].
 RingState ring_state(const Sample &load, const Question &question, double omega);
 
-/// Spin at which a glass that stands at rest tips.
-struct Fall
-{
-  double omega;    ///< the last spin in balance, known to v / (4096 R) [rad/s]
-  RingState state; ///< state at `omega`
-};
-
 /// Answer to a Question about a load or its truncation. Missing quantities are std::nullopt or empty;
 /// `status` and `reason` give the cause.
 struct Answer
@@ -86,15 +80,14 @@ struct Answer
   unsigned int harmonics = 0; ///< harmonics that act on the ring
 
   std::optional<RingState> at_rest;
-  std::optional<TerminalSpin> terminal; ///< with phases: the mean spin after the transient
-  /// Half the difference between the largest and the smallest spin after the transient [rad/s].
-  double ripple = 0.;
-  /// Uncertainty of the mean spin after the transient [rad/s]: of the average, of the mean of the sampled
-  /// loads, and of the loads between samples weighted by the ripple.
-  double spin_uncertainty = 0.;
+  /// With phases: the mean spin after the transient. Its uncertainty is of the average, of the mean of the
+  /// sampled loads, and of the loads between samples weighted by the ripple.
+  std::optional<TerminalSpin> terminal;
   double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin if phases do not matter
   std::optional<RingState> at_terminal;
-  std::optional<Fall> fall; ///< if the glass stands at rest, but tips before a terminal spin
+  /// State at the last spin in balance, known to v / (4096 R), if the glass stands at rest, but tips before a
+  /// terminal spin.
+  std::optional<RingState> fall;
   Status status = Status::no_balance;
   std::string reason = {};              ///< cause of missing quantities; empty if none is missing
   std::exception_ptr failure = nullptr; ///< exception behind the reason; nullptr if the glass tips on the way
@@ -108,7 +101,7 @@ struct Answer
   /// Returns I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without it or without a slope.
   std::optional<double> time_constant() const;
   /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without it or its slope.
-  std::optional<ZeroGuess> zero_guess() const;
+  std::optional<TerminalSpin> zero_guess() const;
   /// Returns whether the load is negative somewhere, at rest or at the terminal spin.
   bool pulls() const;
   /// Throws `failure`, if there is one.

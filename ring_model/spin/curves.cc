@@ -19,7 +19,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Returns friction plus lean torque [N m] as a function of time, angle and spin. It is constant beyond the
 /// spin at which the glass tips (@p fall), because time steps may exceed this spin.
-PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &load, const Question &question)
+PhasedTorqueFunction torque_until(const std::optional<RingState> &fall, const Load &load,
+                                  const Question &question)
 {
   const double lower = fall ? std::min(0., fall->omega) : -HUGE_VAL,
                upper = fall ? std::max(0., fall->omega) : HUGE_VAL;
@@ -31,7 +32,7 @@ PhasedTorqueFunction torque_until(const std::optional<Fall> &fall, const Load &l
   return observed(torque, question.observer);
 }
 
-YawSample nan_after_tipping(YawSample sample, const std::optional<Fall> &fall)
+YawSample nan_after_tipping(YawSample sample, const std::optional<RingState> &fall)
 {
   if (fall && std::abs(sample.omega) > std::abs(fall->omega))
     sample.omega = sample.yaw_angle = unknown;
@@ -53,7 +54,7 @@ std::vector<Torques> torque_curve(const Load &load, const Question &question,
 }
 
 std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
-                               const std::optional<Fall> &fall)
+                               const std::optional<RingState> &fall)
 {
   constexpr double accuracy = 1e-10; // accuracy of omega(t), relative to v / R
   std::vector<YawSample> samples =
@@ -66,7 +67,7 @@ std::vector<YawSample> spin_up(const Load &load, const Question &question, const
 
 std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
                                      const std::vector<double> &times, double longest,
-                                     const std::optional<Fall> &fall)
+                                     const std::optional<RingState> &fall)
 {
   const auto n_intervals = static_cast<unsigned int>(times.size()) - 1;
   const double n_least = std::ceil(times.back() / n_intervals / longest - 1e-9);

@@ -21,12 +21,12 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
 /// Returns the spin-up from rest at the equally spaced @p times [s] with error control; NaN after @p fall,
 /// the tipping of the glass under @p load. Throws as @p load and Question::observer.
 std::vector<YawSample> spin_up(const Load &load, const Question &question, const std::vector<double> &times,
-                               const std::optional<Fall> &fall = {});
+                               const std::optional<RingState> &fall = {});
 
 /// Returns spin_up() by forward Euler in equal steps of at most @p longest [s], as in the paper.
 std::vector<YawSample> euler_spin_up(const Load &load, const Question &question,
                                      const std::vector<double> &times, double longest,
-                                     const std::optional<Fall> &fall = {});
+                                     const std::optional<RingState> &fall = {});
 
 /// Returns the torque of friction and lean under @p load, which has phases(), tabulated for 1e5 evaluations
 /// near one spin. For spins within @p reach [rad/s] of @p middle and the load's

@@ -67,7 +67,8 @@ PhaseSamples sampled_at(const LoadAtPhase &load, double omega, const PhaseGrids 
 
 } // namespace
 
-PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked)
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples,
+                           double max_error)
 {
   const unsigned int first = periods.glass > 0 && periods.table > 0 ? first_phases_of_two : first_phases;
   PhaseGrids grids = { first_grid(periods.glass, first), first_grid(periods.table, first) };
@@ -78,9 +79,9 @@ PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods,
                  of_table = samples.error(&PhaseGrids::table).mean;
     PeriodicGrid &worse = of_glass > of_table ? grids.glass : grids.table;
     if (of_glass + of_table <= tolerance_of_phases || worse.size() == max_phases ||
-        2 * grids.size() > asked.max_samples)
+        2 * grids.size() > max_samples)
     {
-      require_resolved(grids.size(), samples.error(), asked.max_error);
+      require_resolved(grids.size(), samples.error(), max_error);
       return samples;
     }
     worse = worse.refined();
@@ -104,7 +105,7 @@ PhaseSamples PhaseSampledLoad::samples_from(const Eigen::VectorXd &columns) cons
 
 PhaseSamples PhaseSampledLoad::at_spin(double omega) const
 {
-  return varies_with_spin(omega) ? samples_from(interval_around(omega).columns(omega)) : at_rest;
+  return varies_with_spin(omega) ? samples_from(interval_around(omega).first(omega)) : at_rest;
 }
 
 const PhaseSampledLoad::Interval &PhaseSampledLoad::interval_around(double omega) const
@@ -145,7 +146,7 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(double lower, double upper)
   tolerances.relaxed = std::max(tolerances.target, 1e-3);
   tolerances.max_samples = sampling.max_samples;
   tolerances.usual_samples = std::min<std::size_t>(9, tolerances.max_samples);
-  Interval samples = { AdaptiveCurve({ columns, error_of_mean }, lower, upper, tolerances), {} };
+  const AdaptiveCurve curve({ columns, error_of_mean }, lower, upper, tolerances);
   // The samples may miss a kink, so the error is also measured between sampled spins, at one phase.
   constexpr int n_checks = 6;
   constexpr double safety = 2;
@@ -153,25 +154,25 @@ PhaseSampledLoad::Interval PhaseSampledLoad::sampled(double lower, double upper)
   for (int i = 0; i < n_checks; ++i)
   {
     const double omega = lower + (upper - lower) * (i + 0.5) / n_checks;
-    const Sample interpolated = samples_from(samples.columns(omega)).sample(0);
+    const Sample interpolated = samples_from(curve(omega)).sample(0);
     between_spins =
       std::max(between_spins, safety * torque_difference(interpolated, load(omega, phases().phase(0))));
   }
-  const PhaseSamples farthest = samples_from(samples.columns(lower < 0 ? lower : upper));
+  const PhaseSamples farthest = samples_from(curve(lower < 0 ? lower : upper));
   const SampleError of_phases = larger(at_rest.error(), farthest.error());
-  samples.error = { of_phases.mean + between_spins, std::max(of_phases.between, between_spins) };
-  largest_error = larger(largest_error, samples.error);
+  const SampleError error = { of_phases.mean + between_spins, std::max(of_phases.between, between_spins) };
+  largest_error = larger(largest_error, error);
   require_resolved(phases().size(), largest_error);
-  return samples;
+  return { curve, error };
 }
 
 SampleError PhaseSampledLoad::error(double lower, double upper) const
 {
-  SampleError error = at_rest.error();
-  for (const auto &[begin, samples] : intervals)
-    if (begin <= upper && samples.columns.upper() >= lower)
-      error = larger(error, samples.error);
-  return error;
+  SampleError largest = at_rest.error();
+  for (const auto &[begin, interval] : intervals)
+    if (const auto &[curve, error] = interval; begin <= upper && curve.upper() >= lower)
+      largest = larger(largest, error);
+  return largest;
 }
 
 std::pair<double, double> PhaseSampledLoad::polynomial_range(double omega) const
@@ -196,8 +197,8 @@ std::vector<Sample> PhaseSampledLoad::samples(double omega) const
 std::size_t PhaseSampledLoad::n_spins() const
 {
   std::size_t n = 1;
-  for (const auto &[begin, samples] : intervals)
-    n += samples.columns.n_samples();
+  for (const auto &[begin, interval] : intervals)
+    n += interval.first.n_samples();
   return n;
 }
 

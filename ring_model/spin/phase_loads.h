@@ -16,18 +16,12 @@ namespace stemware::ring
 /// Load at a spin [rad/s] and a phase; each call solves one contact or several.
 using LoadAtPhase = std::function<Sample(double omega, const Orientation &phase)>;
 
-/// Sampling of the phases at rest.
-struct RestSampling
-{
-  unsigned int max_samples = 256;
-  double max_error = 3e-2; ///< allowed error of the mean [mu N R]
-};
-
 /// Samples the load at rest over the phases until the error of its mean is 1e-6 mu N R
 /// (PhaseSamples::error()). Begins with 8 phases of one angle, or 4 of each of two, and doubles the angle
-/// with the larger error, up to 128 in each and RestSampling::max_samples in all. Throws NoBalance if the
-/// error of the mean stays above RestSampling::max_error, or the error between phases above 0.3.
-PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, const RestSampling &asked);
+/// with the larger error, up to 128 in each and @p max_samples in all. Throws NoBalance if the error of the
+/// mean stays above @p max_error [mu N R], or the error between phases above 0.3.
+PhaseSamples sample_phases(const LoadAtPhase &load, const PhasePeriods &periods, unsigned int max_samples,
+                           double max_error = 3e-2);
 
 /// Sampling of a load that depends on the spin.
 struct SpinSampling
@@ -74,12 +68,8 @@ public:
   SampleError error(double lower, double upper) const;
 
 private:
-  /// Loads at all phases on one interval of spins.
-  struct Interval
-  {
-    AdaptiveCurve columns; ///< PhaseSamples::columns(), reshaped
-    SampleError error;
-  };
+  /// Loads at all phases on one interval of spins, PhaseSamples::columns() reshaped, and their error.
+  using Interval = std::pair<AdaptiveCurve, SampleError>;
 
   bool varies_with_spin(double omega) const { return sampling.unit > 0 && omega != 0; }
   PhaseSamples at_spin(double omega) const;

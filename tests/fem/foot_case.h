@@ -30,8 +30,7 @@ public:
       : level(std::shared_ptr<const dealii::Triangulation<3>>(std::shared_ptr<void>(), &triangulation),
               degree, mapping_degree)
       , nodes(std::make_shared<const ContactNodes>(level.dof_handler.locally_owned_dofs(),
-                                                   contact_dofs(level.dof_handler, level.constraints),
-                                                   level.dof_handler.get_communicator()))
+                                                   contact_dofs(level), level.dof_handler.get_communicator()))
   {
     assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, stiffness);
   }

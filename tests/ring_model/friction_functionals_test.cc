@@ -24,7 +24,7 @@ TEST(FrictionFunctionals, AgreeWithQuadrature)
   // The trapezoidal rule is exact to rounding at these slip ratios.
   for (const double omega : { -15., -3., 0., 4., 15., 60. })
   {
-    const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 3, omega, speed);
+    const FrictionFunctionals friction = friction_functionals(coulomb_law(mu), radii, 3, omega, speed);
     const Wrench expected = test::wrench_by_quadrature(mu, load, omega, speed, 800);
     EXPECT_NEAR(friction.drag(load), expected.force_x, ulps(60, 0.8)) << omega;
     EXPECT_NEAR(friction.side(load), expected.force_y, ulps(60, 0.8)) << omega;
@@ -35,19 +35,19 @@ TEST(FrictionFunctionals, AgreeWithQuadrature)
 TEST(FrictionFunctionals, UseOnlyTheHarmonicsUpToTheGivenMaximum)
 {
   const Wrench kept = coulomb_wrench(mu, load.truncated(1), 4., speed);
-  const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), radii, 1, 4., speed);
+  const FrictionFunctionals friction = friction_functionals(coulomb_law(mu), radii, 1, 4., speed);
   EXPECT_EQ(friction.torque(load), kept.torque);
   EXPECT_EQ(friction.drag(load), kept.force_x);
   EXPECT_EQ(friction.side(load), kept.force_y);
-  const FrictionFunctionals more = friction_functionals(CoulombLaw(mu), radii, 9, 4., speed);
+  const FrictionFunctionals more = friction_functionals(coulomb_law(mu), radii, 9, 4., speed);
   EXPECT_NEAR(more.torque(load), coulomb_wrench(mu, load, 4., speed).torque, ulps(3, 0.02));
 }
 
 TEST(FrictionFunctionals, RefuseLoadsWithAnotherNumberOfRingsAndZeroVelocity)
 {
-  const FrictionFunctionals friction = friction_functionals(CoulombLaw(mu), { 0.02, 0.04 }, 3, 4., speed);
+  const FrictionFunctionals friction = friction_functionals(coulomb_law(mu), { 0.02, 0.04 }, 3, 4., speed);
   EXPECT_THROW(friction.torque(load), std::invalid_argument);
-  EXPECT_THROW(friction_functionals(CoulombLaw(mu), radii, 3, 0., 0.), std::invalid_argument);
+  EXPECT_THROW(friction_functionals(coulomb_law(mu), radii, 3, 0., 0.), std::invalid_argument);
 }
 } // namespace
 } // namespace stemware::ring

@@ -32,7 +32,7 @@ TEST(FrictionLaw, QuadratureOfAConstantLawAgreesWithTheKernels)
   for (const double eps : { 0., 1e-6, -0.27, 0.5, 0.8, -0.95, 1. - 1e-9, 1., 1.3, -5., 1e3 })
   {
     const double speed = 0.35, omega = eps * speed / 0.03;
-    const FrictionFunctionals exact = friction_functionals(CoulombLaw(0.3), radii, n_max, omega, speed);
+    const FrictionFunctionals exact = friction_functionals(coulomb_law(0.3), radii, n_max, omega, speed);
     const FrictionFunctionals found = friction_functionals(DisguisedCoulombLaw(), radii, n_max, omega, speed);
     const auto expect_equal = [&](const LoadFunctional &one, const LoadFunctional &other, double scale)
     {
@@ -64,7 +64,7 @@ TEST(FrictionLaw, ConstantStribeckLawGivesExactlyTheCoulombTorque)
 {
   const RingStack load = some_load();
   const Wrench exact = coulomb_wrench(0.3, load, 7., 0.35);
-  const Wrench found = friction_functionals(StribeckLaw({ 0.3, 0.3, 0.1, 0., 2. }), load.radii(),
+  const Wrench found = friction_functionals(StribeckLaw(0.3, 0.3, 0.1, 0., 2.), load.radii(),
                                             load.n_harmonics(), 7., 0.35)(load);
   EXPECT_EQ(found.torque, exact.torque);
 }
@@ -75,8 +75,8 @@ TEST(FrictionLaw, ViscousFrictionAgreesWithItsClosedForm)
   // and 1 of the load.
   const RingStack load = some_load();
   const double c = 0.4, omega = 9., speed = 0.35, R = load.radius();
-  const Wrench found = friction_functionals(StribeckLaw({ 0., 0., 0.1, c, 2. }), load.radii(),
-                                            load.n_harmonics(), omega, speed)(load);
+  const Wrench found = friction_functionals(StribeckLaw(0., 0., 0.1, c, 2.), load.radii(), load.n_harmonics(),
+                                            omega, speed)(load);
   expect_relative(found.force_x, -c * pi * (2. * load.a(0) * speed - omega * R * load.b(1)), 1e-12, "T_x");
   expect_relative(found.force_y, -c * pi * omega * R * load.a(1), 1e-12, "T_y");
   expect_relative(found.torque, c * R * pi * (speed * load.b(1) - 2. * load.a(0) * omega * R), 1e-12, "tau");
@@ -84,7 +84,7 @@ TEST(FrictionLaw, ViscousFrictionAgreesWithItsClosedForm)
 
 TEST(FrictionLaw, StribeckCoefficientAgreesWithItsFormula)
 {
-  const StribeckLaw law({ 0.5, 0.3, 0.05, 0.1, 1. });
+  const StribeckLaw law(0.5, 0.3, 0.05, 0.1, 1.);
   EXPECT_DOUBLE_EQ(law.coefficient(0.), 0.5);
   EXPECT_NEAR(law.coefficient(0.05), 0.3 + 0.2 * std::exp(-1.) + 0.005, ulps(12, 0.38));
   EXPECT_NEAR(law.coefficient(10.), 1.3, 1e-12);
@@ -99,7 +99,7 @@ TEST(FrictionLaw, StribeckFrictionAgreesWithATrapezoidalSum)
   const double speed = 0.35;
   for (const double decay : { 0.02, 0.1, 1. })
   {
-    const StribeckLaw law({ 0.5, 0.3, decay, 0.05, 2. });
+    const StribeckLaw law(0.5, 0.3, decay, 0.05, 2.);
     for (const double omega : { -20., -13., -3., 0., 0.5, 6., 11., 12.2, 60. })
     {
       const Wrench sum = test::wrench_by_quadrature([&](double slip) { return law.coefficient(slip); }, load,
@@ -112,8 +112,14 @@ TEST(FrictionLaw, StribeckFrictionAgreesWithATrapezoidalSum)
   }
 }
 
+/// Arguments of StribeckLaw.
+struct Coefficients
+{
+  double static_coefficient, kinetic_coefficient, decay_speed, viscous, decay_exponent;
+};
+
 /// Returns int_0^s mu ds' [m/s] in closed form for s = @p slip_speed and the exponent 1 or 2 of @p law.
-double potential_of(const StribeckLaw::Parameters &law, double slip_speed)
+double potential_of(const Coefficients &law, double slip_speed)
 {
   const double x = slip_speed / law.decay_speed;
   const double decayed = law.decay_exponent == 1. ? 1. - std::exp(-x) : std::sqrt(pi) / 2. * std::erf(x);
@@ -128,16 +134,18 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
 {
   const RingStack load = some_load();
   const double R = load.radius();
-  const StribeckLaw::Parameters laws[] = {
+  const Coefficients laws[] = {
     { 0.3, 0.3, 0.1, 0., 2. }, { 0.5, 0.3, 0.1, 0., 2. }, { 0.5, 0.2, 0.3, 0.4, 1. }, { 0., 0., 0.1, 0.4, 2. }
   };
   test::Numbers numbers(48);
-  for (const StribeckLaw::Parameters &law : laws)
+  for (const Coefficients &law : laws)
     for (const double eps : { 0., 0.3, -0.8, 1.6, -4. })
     {
       const double speed = 0.35, omega = eps * speed / R;
+      const StribeckLaw stribeck(law.static_coefficient, law.kinetic_coefficient, law.decay_speed,
+                                 law.viscous, law.decay_exponent);
       const Wrench friction =
-        friction_functionals(StribeckLaw(law), load.radii(), load.n_harmonics(), omega, speed)(load);
+        friction_functionals(stribeck, load.radii(), load.n_harmonics(), omega, speed)(load);
       // The vector (along, across, turning) is a random direction of (v_x, v_y, omega).
       const double along = numbers.between(-1., 1.), across = numbers.between(-1., 1.),
                    turning = numbers.between(-1., 1.) / R;
@@ -163,10 +171,10 @@ TEST(FrictionLaw, FrictionIsMinusTheDerivativeOfAPotential)
 
 TEST(FrictionLaw, RefusesInvalidParametersAndVelocities)
 {
-  EXPECT_THROW(StribeckLaw({ -0.5, 0.3, 0.1, 0., 2. }), std::invalid_argument);
-  EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0., 0., 2. }), std::invalid_argument);
-  EXPECT_THROW(StribeckLaw({ 0.5, 0.3, 0.1, 0., 0. }), std::invalid_argument);
-  const StribeckLaw law({ 0.5, 0.3, 0.1, 0., 2. });
+  EXPECT_THROW(StribeckLaw(-0.5, 0.3, 0.1, 0., 2.), std::invalid_argument);
+  EXPECT_THROW(StribeckLaw(0.5, 0.3, 0., 0., 2.), std::invalid_argument);
+  EXPECT_THROW(StribeckLaw(0.5, 0.3, 0.1, 0., 0.), std::invalid_argument);
+  const StribeckLaw law(0.5, 0.3, 0.1, 0., 2.);
   const auto ask = [&](double omega, double speed) { friction_functionals(law, { 0.03 }, 4, omega, speed); };
   EXPECT_THROW(ask(0., 0.), std::invalid_argument);
   EXPECT_THROW(ask(1., -1.), std::invalid_argument);

@@ -26,7 +26,7 @@ Load load_by_phase()
 {
   const LoadAtPhase exact = [](double, const Orientation &phase) -> Sample { return wavy_load(phase); };
   const PhasePeriods periods = { 2. * pi / 3., pi };
-  return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, { 256 })));
+  return Load(std::make_shared<PhaseSampledLoad>(exact, periods, sample_phases(exact, periods, 256)));
 }
 
 /// Expects the torque tabulated within @p reach of the spin @p middle to agree with the trapezoidal rule at

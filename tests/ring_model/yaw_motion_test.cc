@@ -82,8 +82,8 @@ TEST(YawMotion, AgreesWithTheClosedFormOfAPendulum)
     EXPECT_NEAR(sample.yaw_angle, 2. * std::asin(sn), 1e-9) << sample.time;
   }
 
-  const LongTimeSpin turning = long_time_spin(torque, inertia, spin, 20., 1e-9, spin);
-  EXPECT_NEAR(turning.mean, pi * spin / (2. * boost::math::ellint_1(modulus)), 1e-7);
+  const TerminalSpin turning = long_time_spin(torque, inertia, spin, 20., 1e-9, spin);
+  EXPECT_NEAR(turning.omega, pi * spin / (2. * boost::math::ellint_1(modulus)), 1e-7);
   EXPECT_NEAR(turning.ripple, spin * (1. - std::sqrt(1. - modulus * modulus)) / 2., 1e-4);
 }
 
@@ -101,8 +101,8 @@ TEST(YawMotion, AgreesWithTheClosedFormOfAForcedLinearRing)
                                                                 nu * std::sin(nu * time) - rate * decay);
     EXPECT_NEAR(sample.omega, expected, 1e-9) << time;
   }
-  const LongTimeSpin spin = long_time_spin(torque, inertia, 0., 25., 1e-9, 10.);
-  EXPECT_NEAR(spin.mean, drive, 1e-8);
+  const TerminalSpin spin = long_time_spin(torque, inertia, 0., 25., 1e-9, 10.);
+  EXPECT_NEAR(spin.omega, drive, 1e-8);
   EXPECT_NEAR(spin.ripple, force / std::hypot(damping, inertia * nu), 1e-7);
 }
 
@@ -240,7 +240,7 @@ TEST(YawMotion, AHeldGlassStopsAndStaysAtRest)
   { return 1e-3 * std::sin(9. * time) - 1e-3 * omega; };
   for (const YawSample &sample : yaw_motion(torque, inertia, 0., { 0., 0.3, 2. }, 1e-9, 10., 1.0001e-3))
     EXPECT_EQ(sample.omega, 0.);
-  EXPECT_EQ(long_time_spin(torque, inertia, 0.1, 3., 1e-9, 10., 1.0001e-3).mean, 0.);
+  EXPECT_EQ(long_time_spin(torque, inertia, 0.1, 3., 1e-9, 10., 1.0001e-3).omega, 0.);
   for (const YawSample &sample : yaw_motion_euler(torque, inertia, 0.1, 1e-2, 300, 1.0001e-3))
   {
     if (sample.time > 1.)
@@ -299,12 +299,12 @@ TEST(YawMotion, EulerConvergesAtFirstOrderAndRefusesZeroSteps)
 TEST(LongTimeSpin, AgreesWithIntegrationOverTheAngleOfTheMark)
 {
   const MarkedRing ring;
-  const LongTimeSpin spin = long_time_spin(ring, inertia, 0., 25., 1e-9, 10.);
+  const TerminalSpin spin = long_time_spin(ring, inertia, 0., 25., 1e-9, 10.);
   const auto [mean, ripple] = spin_by_angle(ring, 40, 2000);
-  EXPECT_NEAR(spin.mean, mean, 1e-8);
+  EXPECT_NEAR(spin.omega, mean, 1e-8);
   EXPECT_NEAR(spin.ripple, ripple, 1e-5);
   EXPECT_LT(spin.uncertainty, 1e-8);
-  EXPECT_GT(std::abs(spin.mean - ring.drive), 1e-3);
+  EXPECT_GT(std::abs(spin.omega - ring.drive), 1e-3);
 }
 
 TEST(LongTimeSpin, IsAccurateAtNegligibleInertiaWithoutResolvingTheTimeConstant)
@@ -318,9 +318,9 @@ TEST(LongTimeSpin, IsAccurateAtNegligibleInertiaWithoutResolvingTheTimeConstant)
     ++n_torques;
     return ring(time, yaw_angle, omega);
   };
-  const LongTimeSpin spin = long_time_spin(counted, 1e-8, 0., 25., 1e-9, 10.);
+  const TerminalSpin spin = long_time_spin(counted, 1e-8, 0., 25., 1e-9, 10.);
   const double lag = ring.orbit - ring.drive, swing = ring.bump / ring.damping;
-  EXPECT_NEAR(spin.mean, ring.orbit - std::sqrt(lag * lag - swing * swing), 1e-8);
+  EXPECT_NEAR(spin.omega, ring.orbit - std::sqrt(lag * lag - swing * swing), 1e-8);
   EXPECT_NEAR(spin.ripple, swing, 1e-5);
   EXPECT_LT(n_torques, 1500000u);
 }
@@ -330,11 +330,11 @@ TEST(LongTimeSpin, MeanIsAccurateIfInertiaShiftsTheMeanUnderVaryingDamping)
   MarkedRing ring;
   ring.roughness = 0.5;
   ring.inertia = 2e-8;
-  const LongTimeSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-10, 10.);
+  const TerminalSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-10, 10.);
   const double mean = spin_by_angle(ring, 2, 200000)[0];
   ring.inertia /= 2.;
   EXPECT_GT(std::abs(spin_by_angle(ring, 2, 200000)[0] - mean), 1e-6);
-  EXPECT_NEAR(spin.mean, mean, 5e-9);
+  EXPECT_NEAR(spin.omega, mean, 5e-9);
 }
 
 TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
@@ -345,9 +345,9 @@ TEST(LongTimeSpin, IsAccurateWithExplicitAndImplicitSteps)
   for (const double stiff_inertia : { 1.5e-6, 6e-7, 5e-8 })
   {
     ring.inertia = stiff_inertia;
-    const LongTimeSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-9, 10.);
+    const TerminalSpin spin = long_time_spin(ring, ring.inertia, 0., 25., 1e-9, 10.);
     const auto [mean, ripple] = spin_by_angle(ring, 2, 100000);
-    EXPECT_NEAR(spin.mean, mean, 1e-8) << stiff_inertia;
+    EXPECT_NEAR(spin.omega, mean, 1e-8) << stiff_inertia;
     EXPECT_NEAR(spin.ripple, ripple, 1e-5) << stiff_inertia;
   }
 }
@@ -358,7 +358,7 @@ TEST(LongTimeSpin, RippleIsMeasuredInTheLastWindow)
   // within the tolerance, 1e-6 of the spin scale 10 rad/s.
   const double drive = -3.6, start = 1e-5, rate = 0.1;
   const auto torque = [=](double, double, double omega) { return -inertia * rate * (omega - drive); };
-  const LongTimeSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);
+  const TerminalSpin spin = long_time_spin(torque, inertia, drive + start, 1., 1e-6, 10.);
   EXPECT_NEAR(spin.ripple, start * (std::exp(-rate) - std::exp(-2. * rate)) / 2., 1e-9);
 }
 
@@ -366,8 +366,8 @@ TEST(LongTimeSpin, LocksToTheOrbitIfTheBumpExceedsTheDampingTorque)
 {
   MarkedRing ring;
   ring.bump = 1.1 * ring.damping * std::abs(ring.orbit - ring.drive);
-  const LongTimeSpin spin = long_time_spin(ring, inertia, ring.orbit, 25., 1e-9, 10.);
-  EXPECT_NEAR(spin.mean, ring.orbit, 1e-7);
+  const TerminalSpin spin = long_time_spin(ring, inertia, ring.orbit, 25., 1e-9, 10.);
+  EXPECT_NEAR(spin.omega, ring.orbit, 1e-7);
   EXPECT_NEAR(spin.ripple, 0., 1e-7);
 }
 

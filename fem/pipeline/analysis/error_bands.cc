@@ -362,8 +362,8 @@ ErrorBands bands_of(const Analysis &analysis, const ring::Answer &all, const std
   }
   widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
-    if (banded.quantity.key == "omega_terminal" && all.spin_uncertainty > 0)
-      banded.add("interpolation", all.spin_uncertainty);
+    if (banded.quantity.key == "omega_terminal" && all.terminal && all.terminal->uncertainty > 0)
+      banded.add("interpolation", all.terminal->uncertainty);
   return bands;
 }
 

@@ -80,12 +80,12 @@ void drop_rounding(std::optional<double> &value, double rounding)
     value = without_rounding(*value, rounding);
 }
 
-const Fields<ring::Fall> &fall_fields()
+const Fields<ring::RingState> &fall_fields()
 {
   static const auto fields =
-    Fields<ring::Fall>{ { "omega", "rad/s", "The last spin in balance.", &ring::Fall::omega },
-                        { "moment_ratio", "1", "Moment ratio at this spin.",
-                          [](const ring::Fall &fall) { return fall.state.moment_ratio; } } };
+    Fields<ring::RingState>{ { "omega", "rad/s", "The last spin in balance.", &ring::RingState::omega },
+                             { "moment_ratio", "1", "Moment ratio at this spin.",
+                               &ring::RingState::moment_ratio } };
   return fields;
 }
 

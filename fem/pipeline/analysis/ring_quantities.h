@@ -21,7 +21,7 @@ namespace stemware::pipeline
 constexpr unsigned int n_harmonics_of_interest = 8;
 
 /// Returns "fall" of summary.json.
-const Fields<ring::Fall> &fall_fields();
+const Fields<ring::RingState> &fall_fields();
 
 /// Returns the quantities of ring::Answer that are in "ring" of summary.json.
 const Fields<ring::Answer> &answer_fields();

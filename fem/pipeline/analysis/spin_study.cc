@@ -45,8 +45,11 @@ PhaseStudy study_phases(const std::shared_ptr<ElasticFoot> &foot, const Balanced
   const ring::PhaseSampledLoad &loads = *load.phases();
   const ring::Motion &motion = foot->specification().study.motion.orbit;
   PhaseStudy study;
-  study.spin_ripple = row.ripple;
-  study.spin_uncertainty = row.spin_uncertainty;
+  if (row.terminal)
+  {
+    study.spin_ripple = row.terminal->ripple;
+    study.spin_uncertainty = row.terminal->uncertainty;
+  }
   study.zero_of_mean_torque = row.zero_of_mean_torque;
   const double at_rest = least_load_over_phases(foot, loads, 0);
   study.least_load = at_rest;
@@ -96,7 +99,7 @@ std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
 
 /// Returns the spins of a spin-up; an empty list if the balance is lost before the last of @p times.
 std::vector<double> spin_up_of(const ring::Load &load, const ring::Question &question,
-                               const std::vector<double> &times, const std::optional<ring::Fall> &fall)
+                               const std::vector<double> &times, const std::optional<ring::RingState> &fall)
 {
   return spins_of(ring::find_or_nullopt([&] { return ring::spin_up(load, question, times, fall); })
                     .value_or(std::vector<ring::YawSample>()));
@@ -167,7 +170,7 @@ StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &pap
   torque.spin_scale = of_all.load.spin_scale(own.study.motion.orbit);
   const auto find_all = [&]
   {
-    const std::optional<ring::Fall> &fall = rows.back().row.fall;
+    const std::optional<ring::RingState> &fall = rows.back().row.fall;
     ring::Question observed = question;
     observed.observer = observer;
     torque.all = ring::torque_curve(of_all.load, question, spins);

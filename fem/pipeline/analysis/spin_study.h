@@ -42,7 +42,7 @@ struct SpinUpCurves
 struct PhaseStudy
 {
   double spin_ripple = 0; ///< half the range of the spin after the transient [rad/s]
-  /// Answer::spin_uncertainty: uncertainty of the mean spin after the transient [rad/s].
+  /// TerminalSpin::uncertainty: uncertainty of the mean spin after the transient [rad/s].
   double spin_uncertainty = 0;
   double zero_of_mean_torque = 0;    ///< zero of the torque averaged over the phases [rad/s]
   double torque_ripple = 0;          ///< half the range over the phases, at the mean spin [N m]

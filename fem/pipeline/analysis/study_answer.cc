@@ -124,10 +124,10 @@ const Fields<StudyAnswer> &study_quantities()
         return found.study.motion.grip_torque > 0 && terminal ? Number(terminal->held ? 1 : 0) : std::nullopt;
       },
       in_column("1: the fingers hold the glass at rest") },
-    { "omega_fall", "rad/s", "", if_falls([](const ring::Fall &fall) { return fall.omega; }),
+    { "omega_fall", "rad/s", "", if_falls([](const ring::RingState &fall) { return fall.omega; }),
       in_column("spin at which the glass tips"), on_page("spin at which the glass tips") },
     { "moment_ratio_at_fall", "1", "",
-      if_falls([](const ring::Fall &fall) { return fall.state.moment_ratio; }),
+      if_falls([](const ring::RingState &fall) { return fall.moment_ratio; }),
       in_column("moment ratio at which the glass tips") },
     { "normal_force", "N", "", of_load(&LoadReport::normal_force), in_column("normal force") },
     { "moment_ratio", "1", "", of_load(&LoadReport::moment_ratio), in_column("moment ratio at rest"),

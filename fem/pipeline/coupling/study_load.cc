@@ -159,12 +159,10 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   };
   // The number of phases is limited, so that a study takes seconds: a load that varies with the spin needs
   // several contact solves per phase, and a hard contact takes ten times as long as a compliant contact.
-  ring::RestSampling at_rest_sampling;
-  at_rest_sampling.max_samples = is_coarse ? 16 : balance.varies_with_spin ? 32 : is_hard ? 64 : 256;
+  const unsigned int max_samples = is_coarse ? 16 : balance.varies_with_spin ? 32 : is_hard ? 64 : 256;
   // Results of coarse sampling have no error band, so the allowed sampling error is smaller.
-  if (is_coarse)
-    at_rest_sampling.max_error = 1e-3;
-  const ring::PhaseSamples samples = ring::sample_phases(exact, periods, at_rest_sampling);
+  const ring::PhaseSamples samples =
+    ring::sample_phases(exact, periods, max_samples, is_coarse ? 1e-3 : 3e-2);
 
   LoadReport report = report_of(at_rest, foot->radius(), balance.tilts);
   ring::SpinSampling spins;

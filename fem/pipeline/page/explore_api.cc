@@ -34,10 +34,7 @@ Json ring_summary(const ring::Answer &row)
 
 const ring::RingState *end_of(const ring::Answer &row)
 {
-  return row.at_terminal ? &*row.at_terminal
-         : row.fall      ? &row.fall->state
-         : row.at_rest   ? &*row.at_rest
-                         : nullptr;
+  return row.at_terminal ? &*row.at_terminal : row.fall ? &*row.fall : row.at_rest ? &*row.at_rest : nullptr;
 }
 
 Json document_of(const Results &results, const Json &summary = Json::object())

@@ -46,7 +46,7 @@ bool is_live(const std::string &path)
 
 struct BalanceNearby
 {
-  ring::ZeroGuess spin;
+  ring::TerminalSpin spin;
   fem::ContactState contact;
   ring::Sample load;
 };
@@ -54,7 +54,7 @@ struct BalanceNearby
 /// Returns the terminal spin near @p near for @p n_harmonics harmonics, accurate to 1e-8 rad/s, with its
 /// contact and load. Two or three contact solves start from @p contact. Returns std::nullopt if the search
 /// fails, if the load does not vary with the spin, or if @p foot has one ring or does not fit @p contact.
-std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem::ContactState &contact,
+std::optional<BalanceNearby> balance_near(const ring::TerminalSpin &near, const fem::ContactState &contact,
                                           const std::shared_ptr<ElasticFoot> &foot, unsigned int n_harmonics)
 {
   const auto &[study, discretisation, model] = foot->specification();
@@ -74,10 +74,10 @@ std::optional<BalanceNearby> balance_near(const ring::ZeroGuess &near, const fem
   ring::SpinSearch search{ motion.orbit_speed / foot->radius() };
   search.grip_torque = study.motion.grip_torque;
   search.tolerance = 1e-8 / std::max(std::abs(near.omega), 1e-3 * search.spin_scale);
-  const std::optional<ring::SpinZero> zero = ring::find_terminal_spin_near(near, torque, search);
+  const std::optional<ring::TerminalSpin> zero = ring::find_terminal_spin_near(near, torque, search);
   if (!zero || zero->omega * near.omega <= 0)
     return std::nullopt;
-  last->spin = { zero->omega, zero->slope };
+  last->spin = *zero;
   return last;
 }
 
@@ -183,7 +183,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     const double omega = found.spin.omega;
     ring::Answer row;
     row.harmonics = found.load.n_harmonics();
-    row.terminal = ring::TerminalSpin{ omega, found.spin.slope, std::nan(""), true };
+    row.terminal = ring::TerminalSpin{ omega, found.spin.torque_slope, std::nan(""), true };
     row.at_terminal = ring::ring_state(found.load, spin_question(present), omega);
     row.status = ring::Status::full_contact;
     return row;
@@ -195,7 +195,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
       return false;
     if (n_harmonics < foot->n_harmonics())
     {
-      const ring::ZeroGuess beside = { all->spin.omega + shift_of_truncated, all->spin.slope };
+      const ring::TerminalSpin beside = { all->spin.omega + shift_of_truncated, all->spin.torque_slope };
       const auto cut = balance_near(beside, all->contact, foot, n_harmonics);
       if (!cut)
         return false;
@@ -225,7 +225,7 @@ void Explorer::solve_cold(const ElasticFoot *last, unsigned int n_harmonics, Liv
   answer.full = ring::answer(load, question);
   zero = answer.full.zero_guess();
   if (!zero && question.zero_guess && answer.full.omega_terminal())
-    zero = ring::ZeroGuess{ *answer.full.omega_terminal(), question.zero_guess->slope };
+    zero = ring::TerminalSpin{ *answer.full.omega_terminal(), question.zero_guess->torque_slope };
   if (n_harmonics < foot->n_harmonics())
   {
     question.zero_guess = zero;

@@ -91,7 +91,7 @@ private:
   LoadedRow paper;                   ///< the paper's row of the last answer
   std::vector<LoadedRow> rows;       ///< of the last answer, all harmonics last; empty after follow()
   /// Terminal spin and contact of the last answer with all harmonics: the next initial guess.
-  std::optional<ring::ZeroGuess> zero;
+  std::optional<ring::TerminalSpin> zero;
   std::optional<fem::ContactState> contact_at_zero;
   /// Terminal spin of the first n harmonics minus spin of all, in the last answer [rad/s].
   double shift_of_truncated = 0;

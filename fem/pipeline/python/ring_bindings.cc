@@ -387,11 +387,8 @@ PYBIND11_MODULE(_ring, m)
     R"(Friction law mu(u) = kinetic + (static - kinetic) exp(-(u / decay_speed)^decay_exponent) + viscous u.
 
 u: slip speed [m/s]; decay_speed [m/s], viscous [s/m].)")
-    .def(py::init(
-           [](double s, double k, double v, double c, double p) {
-             return StribeckLaw({ s, k, v, c, p });
-           }),
-         py::kw_only(), "static"_a, "kinetic"_a, "decay_speed"_a, "viscous"_a = 0., "decay_exponent"_a = 2.);
+    .def(py::init<double, double, double, double, double>(), py::kw_only(), "static"_a, "kinetic"_a,
+         "decay_speed"_a, "viscous"_a = 0., "decay_exponent"_a = 2.);
   m.def("kernels", &kernels);
   py::class_<Friction>(m, "Friction")
     .def(py::init<const Sample &, const FrictionLaw &>(), py::keep_alive<1, 3>())

@@ -161,7 +161,7 @@ Table friction_table(const ring::Motion &motion, const ring::Answer &all)
   const double torque = force * load.radius();
   std::vector<FrictionRow> rows = { { "at rest", *all.at_rest, all.at_rest->torque() } };
   if (all.fall)
-    rows.push_back({ "where it tips", all.fall->state, all.fall->state.torque() });
+    rows.push_back({ "where it tips", *all.fall, all.fall->torque() });
   else if (all.at_terminal)
     rows.push_back({ "at the terminal spin", *all.at_terminal, all.at_terminal->torque() });
   for (auto &[name, at, sum] : rows)

@@ -234,10 +234,10 @@ std::string harmonic_effect_sentence(const Study &study, const HarmonicEffect &e
 
 std::string fall_sentences(const ring::Motion &motion, const ring::Answer &all)
 {
-  const ring::Fall &fall = all.fall.value();
+  const ring::RingState &fall = all.fall.value();
   return "The glass stands at rest and tips over while it spins up, at " +
          number(std::abs(fall.omega), ".3g") + " rad/s " + sense_of(motion, fall.omega) +
-         ", where the moment ratio is " + number(fall.state.moment_ratio, ".3g") +
+         ", where the moment ratio is " + number(fall.moment_ratio, ".3g") +
          ": no contact pressure balances a larger moment. There is no terminal spin. At rest the moment "
          "ratio is " +
          number(all.at_rest.value().moment_ratio, ".4g") + " and the torque of friction is " +

@@ -15,7 +15,7 @@ TEST(ContactDemand, NodeValuesEqualTheFunctionalOfUnitForces)
   // node_values() evaluates nodes with equal or mirrored azimuths together.
   const std::vector<double> radii = { 0.0297, 0.03, 0.0303 };
   const auto functional =
-    stemware::ring::friction_functionals(stemware::ring::CoulombLaw(0.3), radii, 8, -4., 0.35).side;
+    stemware::ring::friction_functionals(stemware::ring::coulomb_law(0.3), radii, 8, -4., 0.35).side;
   ContactSurface surface;
   surface.node_position.resize(7, 2);
   surface.node_gap = Eigen::VectorXd::Zero(7);

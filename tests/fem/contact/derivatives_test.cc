@@ -43,7 +43,7 @@ ContactDemand friction_and_tilt()
   ContactDemand demand(weight, 0.012, -0.01);
   demand.ring_radii = { 0.0297, 0.03, 0.0303 };
   const auto friction =
-    stemware::ring::friction_functionals(stemware::ring::CoulombLaw(0.3), demand.ring_radii, 8, -4., 0.35);
+    stemware::ring::friction_functionals(stemware::ring::coulomb_law(0.3), demand.ring_radii, 8, -4., 0.35);
   demand.friction_x = -0.05 * friction.side;
   demand.friction_y = 0.05 * friction.drag;
   demand.tilt_moment = 0.24;

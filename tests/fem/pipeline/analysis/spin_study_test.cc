@@ -162,7 +162,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   EXPECT_FALSE(row.terminal);
   ASSERT_TRUE(row.fall);
   EXPECT_NEAR(row.fall->omega, -2.5, 0.35 / 0.03 / 4096);
-  EXPECT_NEAR(row.fall->state.moment_ratio, std::hypot(0.1, 0.3) / 0.47, 1e-12);
+  EXPECT_NEAR(row.fall->moment_ratio, std::hypot(0.1, 0.3) / 0.47, 1e-12);
   EXPECT_EQ(row.at_rest->friction.torque, study_spin_of(rich_load()).answer().at_rest->friction.torque);
   EXPECT_TRUE(fallen.terminal_spins.empty());
   EXPECT_FALSE(fallen.budget.rows.back().omega_terminal);

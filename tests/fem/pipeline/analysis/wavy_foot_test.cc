@@ -232,7 +232,7 @@ void expect_bands_of_wavy_feet(unsigned int n_feet)
     ASSERT_NE(found, bands.end());
     const double error = std::abs(found->quantity.value - long_time_spin_of(foot, row.terminal->omega));
     std::printf("%u waves of %.2g m on %.2g Pa/m: error %.1e, band %.1e, ripple %.2g rad/s\n", n_waves,
-                foot.amplitude, modulus, error, found->band, row.ripple);
+                foot.amplitude, modulus, error, found->band, row.terminal->ripple);
     EXPECT_LE(error, found->band) << n_waves << " waves of " << foot.amplitude << " m on " << modulus
                                   << " Pa/m";
     ratios.push_back(found->band / std::max(error, found->quantity.rounding));

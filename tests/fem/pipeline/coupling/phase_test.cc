@@ -99,7 +99,7 @@ const PhasePeriods periods = { two_pi / 3, two_pi / 2 };
 
 TEST(PhaseSampledLoad, InterpolatesWithinTwiceTheStatedError)
 {
-  const PhaseSamples at_rest = sample_phases(made_up_load, periods, { 1024 });
+  const PhaseSamples at_rest = sample_phases(made_up_load, periods, 1024);
   EXPECT_LE(at_rest.error().mean, 1e-5);
   EXPECT_LE(at_rest.error().between, 1e-3);
   EXPECT_GT(at_rest.phases().glass.size(), 4u);
@@ -132,7 +132,7 @@ TEST(PhaseSampledLoad, MeanAgreesWithQuadrature)
         b[k] += load.b(k) / (n * n);
       }
     }
-  const PhaseSampledLoad loads(made_up_load, periods, sample_phases(made_up_load, periods, { 1024 }), { 3. });
+  const PhaseSampledLoad loads(made_up_load, periods, sample_phases(made_up_load, periods, 1024), { 3. });
   const ring::RingStack mean = loads.mean(1.7);
   for (unsigned int k = 0; k <= 2; ++k)
   {
@@ -163,7 +163,7 @@ TEST(PhaseSampledLoad, MeanOfAJumpingLoadIsWithinTheStatedError)
   const double jump = 0.1, share = 0.5 - std::asin(0.1) / ring::pi;
   const PhasePeriods of_glass = { two_pi / 2, 0 };
   const PhaseSampledLoad loads(jumping_load(jump), of_glass,
-                               sample_phases(jumping_load(jump), of_glass, { 128 }));
+                               sample_phases(jumping_load(jump), of_glass, 128));
   EXPECT_GT(loads.error().between, 0.2 * jump);
   const ring::RingStack truth({ 1., 0.1 }, { 0., share * jump }, 0.03);
   const double off = torque_difference(loads.mean(0), truth);
@@ -184,7 +184,7 @@ TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
   const LoadAtPhase load = [=](double omega, const ring::Orientation &phase)
   { return kinked(omega, phase.glass); };
   const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, { 128 }), { 3. });
+  const PhaseSampledLoad loads(load, of_glass, sample_phases(load, of_glass, 128), { 3. });
   double off = 0;
   for (const double omega : { 0.9, 1.2, 1.28, 1.32, 1.5, 2.2 })
     off = std::max(off, torque_difference(loads.mean(omega), kinked(omega, 0)));
@@ -196,7 +196,7 @@ TEST(PhaseSampledLoad, ErrorOfTheMeanIncludesInterpolationInTheSpin)
 TEST(PhaseSampledLoad, RefusesMoreIntervalsThanAllowed)
 {
   const PhasePeriods of_glass = { two_pi / 2, 0 };
-  const PhaseSamples at_rest = sample_phases(jumping_load(0.1), of_glass, { 16 });
+  const PhaseSamples at_rest = sample_phases(jumping_load(0.1), of_glass, 16);
   const PhaseSampledLoad loads(jumping_load(0.1), of_glass, at_rest, { 3., 17, 2 });
   for (const double omega : { -1., 2., -2. })
     EXPECT_NO_THROW(loads.mean(omega)) << omega;

@@ -65,8 +65,9 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
                                      "-0.5 rad/s (16.7 % faster)" });
   SpunStudy falling;
   ring::Answer &all = falling.spin.rows.back();
-  all.fall = ring::Fall{ -9.1234, *all.at_rest };
-  all.fall->state.moment_ratio = 1.6789;
+  all.fall = all.at_rest;
+  all.fall->omega = -9.1234;
+  all.fall->moment_ratio = 1.6789;
   all.at_rest->moment_ratio = 1.4321;
   all.at_rest->friction.torque = -0.0012345;
   all.terminal.reset();
