@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <cstddef>
 #include <tbb/parallel_for.h>
 
 namespace stemware::fem
@@ -9,20 +8,20 @@ namespace stemware::fem
 
 /// Calls @p work(i) for every i < @p n on the threads of TBB, one call per task, and waits for all:
 ///
-///     parallel_for(harmonics.size(), [&](std::size_t n) { harmonics[n] = compliance(n); });
+///     parallel_for(harmonics.size(), [&](unsigned int n) { harmonics[n] = compliance(n); });
 ///
 /// @p work should not throw: an exception cancels the other calls.
 template <typename Work>
-void parallel_for(std::size_t n, const Work &work)
+void parallel_for(unsigned int n, const Work &work)
 {
   // The thread sanitizer does not see the synchronisation within libtbb, which is not built with it. The
   // atomic repeats this synchronisation: each call sees what happened before the loop, the caller what the
   // calls did.
-  std::atomic<std::size_t> n_finished;
+  std::atomic<unsigned int> n_finished;
   n_finished.store(0, std::memory_order_release);
   tbb::parallel_for(
-    std::size_t(0), n,
-    [&](std::size_t i)
+    0u, n,
+    [&](unsigned int i)
     {
       n_finished.load(std::memory_order_acquire);
       work(i);

@@ -61,7 +61,7 @@ void on_threads(unsigned int n_threads, std::size_t n, const Executor::Work &wor
   // the other call could wait for the first one (deadlock).
   std::atomic<std::size_t> next = 0; // calls start in ascending order, however the loop is divided
   const auto isolated = [&](std::size_t) { tbb::this_task_arena::isolate([&] { guarded(next++); }); };
-  arena.execute([&] { fem::parallel_for(n, isolated); });
+  arena.execute([&] { fem::parallel_for(static_cast<unsigned int>(n), isolated); });
   for (const std::exception_ptr &failure : failures)
     if (failure)
       std::rethrow_exception(failure);
