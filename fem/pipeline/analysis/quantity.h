@@ -126,11 +126,11 @@ Json schema_of(const Json &part = Json::object())
                                                          : "integer" } };
   else if constexpr (std::is_constructible_v<bool, Value>) // an optional or a pointer
     return or_null(schema_of<std::decay_t<decltype(*std::declval<Value>())>>(part));
-  else if constexpr (length_of<Value> >= 0)
+  else if constexpr (constexpr int length = length_of<Value>; length >= 0)
   {
     Json type = { { "type", "array" }, { "items", schema_of<typename Value::value_type>(part) } };
-    if (length_of < Value >> 0)
-      type.update({ { "minItems", length_of<Value> }, { "maxItems", length_of<Value> } });
+    if (length > 0)
+      type.update({ { "minItems", length }, { "maxItems", length } });
     return type;
   }
   else
@@ -169,7 +169,7 @@ struct Field
   }
 
   /// Creates a field whose value is a JSON object: @p fields of the result of @p read. If this result is a
-  /// vector, the value is a list of objects, or an object with Fields::key_of() as keys; if it is an optional
+  /// vector, the value is a list of objects, or with Fields::by() an object of objects; if it is an optional
   /// or a pointer without value, null.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,

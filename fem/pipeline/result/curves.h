@@ -4,7 +4,8 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
 #include <cstddef>
-#include <string>
+#include <functional>
+#include <limits>
 #include <vector>
 
 /// Columns of curves for data files, pictures and Python. A row is the index of a point; the curves must
@@ -12,9 +13,12 @@
 namespace stemware::pipeline
 {
 
+/// No limit of the number of points.
+inline constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
+
 /// Returns the indices of @p n points, or of at most about @p max_points at equal steps, and of the last
 /// point.
-std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points = -1);
+std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points = all_points);
 
 /// Returns a function that reads @p values at a point; NaN if @p values is empty.
 std::function<double(std::size_t)> values_in(const std::vector<double> &values);

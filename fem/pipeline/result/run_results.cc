@@ -246,11 +246,6 @@ std::vector<std::variant<std::string, Table>> console_of(const StudyAnswer &answ
 
 } // namespace
 
-Json run_schema()
-{
-  return run_fields().schema();
-}
-
 Results run_results(const StudyAnswer &answer)
 {
   const auto &[study, goal, contact, spin, bands] = answer;
@@ -277,14 +272,6 @@ Results run_results(const StudyAnswer &answer)
   results.files = run_files(answer);
   results.console = console_of(answer, results.words);
   return results;
-}
-
-std::optional<double> band_of_mesh(const StudyAnswer &answer)
-{
-  const auto banded = find_quantity(answer.bands, key_of(answer.study.contact.goal));
-  if (banded == answer.bands.end() || banded->parts.count("mesh") == 0)
-    return std::nullopt;
-  return banded->parts.at("mesh");
 }
 
 } // namespace stemware::pipeline

@@ -258,6 +258,15 @@ const Fields<StudyAnswer> &coupling_fields()
   return fields;
 }
 
+/// Returns the part "mesh" of the band of the study's goal; std::nullopt without a goal or band.
+std::optional<double> band_of_mesh(const StudyAnswer &answer)
+{
+  const auto banded = find_quantity(answer.bands, key_of(answer.study.contact.goal));
+  if (banded == answer.bands.end() || banded->parts.count("mesh") == 0)
+    return std::nullopt;
+  return banded->parts.at("mesh");
+}
+
 const Fields<StudyAnswer> &goal_fields()
 {
   const auto of_goal = [](auto member)
@@ -269,8 +278,7 @@ const Fields<StudyAnswer> &goal_fields()
     { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
     { "estimated_error", "", "Estimate of exact minus computed value.",
       of_goal(&GoalOutcome::estimated_error) },
-    { "band_of_mesh", "", "Part of the error band that covers this error.",
-      [](const StudyAnswer &run) { return band_of_mesh(run); } },
+    { "band_of_mesh", "", "Part of the error band that covers this error.", band_of_mesh },
     { "tolerance", "1", "Tolerance of the error, over the value.",
       [](const StudyAnswer &run) { return run.study.contact.goal_tolerance; } },
     { "meshes", "1", "Number of meshes.", of_goal(&GoalOutcome::n_meshes) },

@@ -105,7 +105,7 @@ Json schema()
         { "items", { { "type", "string" } } } } }
   };
   properties["program"].update(program);
-  for (const Json &verb : { run_schema(), truncate_schema(), converge_schema(), sweep_schema() })
+  for (const Json &verb : { run_fields().schema(), truncate_schema(), converge_schema(), sweep_schema() })
     for (const auto &[key, property] : verb["properties"].items())
       if (!properties.contains(key))
         properties[key] = property;
@@ -139,7 +139,7 @@ std::string unit_in_summary(const std::string &part, const std::string &key)
     for (const Quantity &quantity : sweep_columns())
       if (quantity.key == key)
         return quantity.unit;
-  const Json properties = run_schema()["properties"];
+  const Json properties = run_fields().schema()["properties"];
   if (!properties.contains(part))
     return "";
   const Json &object = properties[part].contains("items") ? properties[part]["items"] : properties[part];

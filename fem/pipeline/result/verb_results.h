@@ -6,7 +6,6 @@
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/result/results.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,10 +15,6 @@ namespace stemware::pipeline
 
 /// Returns the results of `run`, without the fields, which the caller adds to avoid a copy.
 Results run_results(const StudyAnswer &answer);
-Json run_schema();
-
-/// Returns the part "mesh" of the band of the study's goal; std::nullopt without a goal or band.
-std::optional<double> band_of_mesh(const StudyAnswer &answer);
 
 /// Returns the results of `truncate`: a part of those of `run`, with Depth::rows.
 Results truncation_results(const StudyAnswer &answer);
