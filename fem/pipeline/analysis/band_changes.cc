@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/band_changes.h"
 
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/coupling/make_foot.h"
+#include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/study/study_size.h"
 #include "ring_model/load/constants.h"
 
@@ -138,7 +138,7 @@ std::vector<BandChange> changes_of_revolution(const Variant &own, const ElasticF
   changes.push_back(change_of("mesh", usual_factor, coarse, from));
   // At re-entrant corners far from the contact the error is of first order, so the change to halved cells is
   // half of the error.
-  if (has_focused_mesh(own))
+  if (revolution_setup(own).resolution.has_focus())
     changes.push_back(change_of(
       "mesh", 2, changed(fewer, [](Variant &variant) { ++variant.discretisation.halvings_beyond_zone; }),
       from));

@@ -17,7 +17,7 @@ struct BandChange : Variant
   std::string part;      ///< part of the band (BandedQuantity::parts) to which it contributes
   double factor = 1;     ///< factor on the change; 0: only a reference of other changes
   std::string from = {}; ///< part whose first change is the reference; empty: the study
-  /// True if terminal spin and torques are compared by max_change_over_spins().
+  /// True if terminal spin and torques are compared by their largest change at several spins.
   bool compares_over_spins = false;
   /// True if the part is the larger of this change and the sum of its earlier ones (for maxima: the sum).
   bool is_alternative = false;

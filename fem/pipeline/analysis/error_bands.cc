@@ -254,6 +254,25 @@ Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot>
                   *foot, probe);
 }
 
+/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques, it is
+/// the largest change of torque at 0.5, 1 and 1.5 times the terminal spin, because errors of harmonics may
+/// cancel at one spin; NaN if a torque is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
+double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
+                             const std::vector<QuantityOfInterest> &after, double yaw_inertia)
+{
+  const auto move_of = [&](const std::string &name)
+  { return std::abs(quantity_of(after, name).value - quantity_of(before, name).value); };
+  const double slope = yaw_inertia / quantity_of(before, "time_constant").value;
+  const auto moves = { slope * move_of("omega_terminal"), move_of("tau_at_spin_1"),
+                       move_of("tau_at_spin_2") };
+  const bool all_known =
+    std::all_of(moves.begin(), moves.end(), [](double move) { return std::isfinite(move); });
+  const double torque = all_known ? std::max(moves) : std::nan("");
+  if (key == "omega_terminal")
+    return torque / slope;
+  return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : move_of(key);
+}
+
 /// Adds change.factor times |@p after - @p before| of each quantity to the part change.part of its error
 /// band. Removes the bands of quantities without a value in @p after.
 void add_part(const BandChange &change, const std::vector<QuantityOfInterest> &before,

@@ -126,22 +126,6 @@ std::string key_of(Goal goal)
   return keys[static_cast<std::size_t>(goal)];
 }
 
-double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
-                             const std::vector<QuantityOfInterest> &after, double yaw_inertia)
-{
-  const auto move_of = [&](const std::string &name)
-  { return std::abs(quantity_of(after, name).value - quantity_of(before, name).value); };
-  const double slope = yaw_inertia / quantity_of(before, "time_constant").value;
-  const auto moves = { slope * move_of("omega_terminal"), move_of("tau_at_spin_1"),
-                       move_of("tau_at_spin_2") };
-  const bool all_known =
-    std::all_of(moves.begin(), moves.end(), [](double move) { return std::isfinite(move); });
-  const double torque = all_known ? std::max(moves) : std::nan("");
-  if (key == "omega_terminal")
-    return torque / slope;
-  return key == "tau_at_spin_1" || key == "tau_at_spin_2" ? torque : move_of(key);
-}
-
 ErrorBands::const_iterator find_quantity(const ErrorBands &quantities, const std::string &key)
 {
   return std::find_if(quantities.begin(), quantities.end(),

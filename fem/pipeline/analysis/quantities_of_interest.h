@@ -89,12 +89,6 @@ std::vector<double> spins_of_interest(double omega_terminal);
 const QuantityOfInterest &quantity_of(const std::vector<QuantityOfInterest> &quantities,
                                       const std::string &key);
 
-/// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques, it is
-/// the largest change of torque at 0.5, 1 and 1.5 times the terminal spin, because errors of harmonics may
-/// cancel at one spin; NaN if a torque is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
-double max_change_over_spins(const std::string &key, const std::vector<QuantityOfInterest> &before,
-                             const std::vector<QuantityOfInterest> &after, double yaw_inertia);
-
 /// Returns the key of a goal; empty for none.
 std::string key_of(Goal goal);
 

@@ -68,12 +68,6 @@ FootMaker foot_maker(fem::ComplianceCache &cache)
   { return make_foot(specification, cache, similar); };
 }
 
-bool has_focused_mesh(const FootSpecification &specification)
-{
-  return specification.study.contact.is_of_revolution() &&
-         revolution_setup(specification).resolution.has_focus();
-}
-
 std::vector<fem::SectionPolygon> foot_section(const FootSpecification &specification)
 {
   const ContactSection &contact = specification.study.contact;

@@ -21,7 +21,4 @@ FootMaker foot_maker(fem::ComplianceCache &cache);
 /// Returns the meridional section of a foot with its cells; not collective. Throws as foot_maker().
 std::vector<fem::SectionPolygon> foot_section(const FootSpecification &specification);
 
-/// Returns true if the meridional mesh has smaller cells in the expected contact zone.
-bool has_focused_mesh(const FootSpecification &specification);
-
 } // namespace stemware::pipeline
