@@ -43,10 +43,11 @@ WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
 }
 
 /// Returns the effect of each changed input on the terminal spin. Effects below rounding are omitted.
-std::vector<InputRow> judge_inputs(double rounding_of_spins, const std::vector<LoadedRow> &others)
+std::vector<std::pair<std::string, double>> judge_inputs(double rounding_of_spins,
+                                                         const std::vector<LoadedRow> &others)
 {
   std::optional<double> unchanged;
-  std::vector<InputRow> rows;
+  std::vector<std::pair<std::string, double>> rows;
   for (const LoadedRow &solved : others)
     if (solved.variant.kind == VariantKind::input)
     {

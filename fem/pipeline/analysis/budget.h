@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -35,13 +36,6 @@ struct WithoutRow
   std::string reason = {};                   ///< cause of a missing value, or empty
 };
 
-/// One input changed, on a rigid ring with a first-harmonic load.
-struct InputRow
-{
-  std::string name;      ///< "0.05 more friction", ...: Variant::name
-  double difference = 0; ///< change of the terminal spin [rad/s]
-};
-
 /// Effect of the harmonics beyond the first on the terminal spin: spin with all harmonics minus spin with the
 /// first only, each with its own balance of contact, friction and moments.
 struct HarmonicEffect
@@ -58,7 +52,8 @@ struct Budget
 {
   std::vector<BudgetRow> rows; ///< the last one is the study itself
   std::vector<WithoutRow> without;
-  std::vector<InputRow> inputs; ///< input_variants() with an effect
+  /// Name of each input_variants() with an effect, and its change of the terminal spin [rad/s].
+  std::vector<std::pair<std::string, double>> inputs;
   HarmonicEffect harmonics;
 
   /// Spins of BudgetRow::torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].

@@ -181,13 +181,13 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete, double 
   };
 }
 
-const Fields<InputRow> &input_fields()
+const Fields<std::pair<std::string, double>> &input_fields()
 {
+  using Row = std::pair<std::string, double>;
   static const auto fields =
-    Fields<InputRow>{ { "name", "", "Changed input.", &InputRow::name },
-                      { "difference", "rad/s",
-                        "Change of the terminal spin, rigid ring with a first harmonic.",
-                        &InputRow::difference } };
+    Fields<Row>{ { "name", "", "Changed input.", &Row::first },
+                 { "difference", "rad/s", "Change of the terminal spin, rigid ring with a first harmonic.",
+                   &Row::second } };
   return fields;
 }
 

@@ -22,7 +22,7 @@ std::vector<Variant> model_chain(const Variant &own);
 std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase = false);
 
 /// Returns the first-harmonic model of the study @p own, "unchanged" and with one input changed at a time:
-/// "0.05 more friction", ... (InputRow); empty for a load without a moment balance.
+/// "0.05 more friction", ... (Budget::inputs); empty for a load without a moment balance.
 std::vector<Variant> input_variants(const Variant &own);
 
 /// Returns true if foot, substrate or interface is compliant; otherwise the pressure is undefined.

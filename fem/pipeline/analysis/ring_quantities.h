@@ -79,7 +79,7 @@ std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double rounding);
 
 /// Returns the quantities of a changed input.
-const Fields<InputRow> &input_fields();
+const Fields<std::pair<std::string, double>> &input_fields();
 
 /// Returns the quantities of a model without one effect; @p complete: the study's terminal spin [rad/s].
 Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);

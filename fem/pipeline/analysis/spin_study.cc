@@ -117,7 +117,7 @@ double shown_spin(double spin_unit, const ring::Answer &row, double fastest)
 
 } // namespace
 
-CurveLoad curve_load(const std::vector<LoadedRow> &rows)
+std::pair<std::vector<double>, ring::Load> curve_load(const std::vector<LoadedRow> &rows)
 {
   constexpr int n_intervals = 120;
   const ring::Answer &all = rows.back().row;
@@ -156,32 +156,34 @@ CurveLoad curve_load(const std::vector<LoadedRow> &rows)
   return { spins, ring::interpolated_for_curves(*rows.back().load, all, spins.front(), spins.back()) };
 }
 
-StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper, const CurveLoad &of_all,
-                        const Executor &executor, double euler_step, const ring::TimeObserver &observer)
+StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper,
+                        const std::pair<std::vector<double>, ring::Load> &of_all, const Executor &executor,
+                        double euler_step, const ring::TimeObserver &observer)
 {
   const Variant &own = rows.back().variant;
-  const std::vector<double> &spins = of_all.spins;
+  const std::vector<double> &spins = of_all.first;
+  const ring::Load &load_of_all = of_all.second;
   const std::vector<double> times = ring::output_times(own.study.motion.end_time);
   const ring::Question question = spin_question(own.study);
   StudyCurves curves;
   SpinUpCurves &up = curves.spin_up;
   TorqueCurve &torque = curves.torque;
   torque.omega = spins;
-  torque.spin_scale = of_all.load.spin_scale(own.study.motion.orbit);
+  torque.spin_scale = load_of_all.spin_scale(own.study.motion.orbit);
   const auto find_all = [&]
   {
     const std::optional<ring::RingState> &fall = rows.back().row.fall;
     ring::Question observed = question;
     observed.observer = observer;
-    torque.all = ring::torque_curve(of_all.load, question, spins);
-    const std::vector<ring::YawSample> adaptive = ring::spin_up(of_all.load, observed, times, fall);
+    torque.all = ring::torque_curve(load_of_all, question, spins);
+    const std::vector<ring::YawSample> adaptive = ring::spin_up(load_of_all, observed, times, fall);
     up.time = times;
     up.adaptive = spins_of(adaptive);
     for (const ring::YawSample &sample : adaptive)
       up.yaw_angle.push_back(sample.yaw_angle);
     if (euler_step > 0)
-      up.euler = spins_of(ring::euler_spin_up(of_all.load, observed, times, euler_step, fall));
-    up.instants = ring::instants_of(adaptive, of_all.load, question);
+      up.euler = spins_of(ring::euler_spin_up(load_of_all, observed, times, euler_step, fall));
+    up.instants = ring::instants_of(adaptive, load_of_all, question);
   };
   // Computes the curves of the first harmonic. If possible, its load is interpolated as a difference from the
   // load of all harmonics.
@@ -192,7 +194,7 @@ StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &pap
     if (!load)
       return;
     const ring::Load curve =
-      ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &of_all.load);
+      ring::interpolated_for_curves(*load, row, spins.front(), spins.back(), &load_of_all);
     torque.n_first = row.harmonics;
     torque.first = ring::torque_curve(curve, question, spins);
     up.first_harmonic = spin_up_of(curve, question, times, row.fall);
@@ -234,7 +236,7 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
   // spin missed. The rows are then solved again.
   constexpr unsigned int max_falls = 8;
   StudyRows solved;
-  CurveLoad curve = { {}, load };
+  std::pair<std::vector<double>, ring::Load> curve = { {}, load };
   for (unsigned int i = 0; i <= max_falls; ++i)
   {
     solved = rows_by_harmonics(analysis, load, depth, others);
@@ -259,8 +261,8 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
     if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = compared_with_full(other.row, result.answer());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
-                                               truncation_orders(load.n_harmonics()), &curve.load);
-  result.curve_error = curve.load.interpolation_error();
+                                               truncation_orders(load.n_harmonics()), &curve.second);
+  result.curve_error = curve.second.interpolation_error();
   result.spin_up.driven =
     driven_spin_up(study.motion, study.glass.profile.contact_radius, foot, result.spin_up.time, observer);
   if (depth != Depth::full)

@@ -93,23 +93,18 @@ struct SpinStudy : StudyCurves
 /// relative @p band of the terminal spin [rad/s]; std::nullopt without @p band or a spin.
 std::optional<double> driven_band(const SpinStudy &spin, const std::optional<double> &band);
 
-/// Load of all harmonics for curves.
-struct CurveLoad
-{
-  /// Ascending, from slightly before rest to 1.5 times the fastest terminal spin, or to tipping [rad/s].
-  std::vector<double> spins;
-  ring::Load load; ///< ring::interpolated_for_curves() between the first and the last spin
-};
-
-/// Returns the load of the last of @p rows for curves.
-CurveLoad curve_load(const std::vector<LoadedRow> &rows);
+/// Returns spins for curves [rad/s], ascending from slightly before rest to 1.5 times the fastest terminal
+/// spin of @p rows, or to tipping, and the load of the last row, ring::interpolated_for_curves() between
+/// them.
+std::pair<std::vector<double>, ring::Load> curve_load(const std::vector<LoadedRow> &rows);
 
 /// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
-/// at the spins of @p of_all and over the time of the study. @p euler_step: longest Euler step [s], 0: none;
+/// at the spins of @p of_all, curve_load(), and over the time of the study. @p euler_step: longest Euler step
+/// [s], 0: none;
 /// @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is lost.
-StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper, const CurveLoad &of_all,
-                        const Executor &executor, double euler_step = 0,
-                        const ring::TimeObserver &observer = {});
+StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper,
+                        const std::pair<std::vector<double>, ring::Load> &of_all, const Executor &executor,
+                        double euler_step = 0, const ring::TimeObserver &observer = {});
 
 /// Solves a study: all results, or with Depth::answer the answer, its curves and the effect of the harmonics.
 /// @p load: find_load() of the analysed study. If the glass tips during the spin-up, the last row has a

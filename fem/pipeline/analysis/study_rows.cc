@@ -88,10 +88,11 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
 {
   const auto solved_row = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &its_foot)
   {
+    constexpr bool few_phases = true;
     const ring::Load load =
       variant.shared == Shared::load
         ? of_study->truncated(variant.n_harmonics)
-        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, PhaseSampling::coarse);
+        : find_load(variant.study, its_foot, silent_progress(), variant.n_harmonics, few_phases);
     ring::Question question = spin_question(variant.study, asked);
     // Variants with loads of their own are solved in parallel, where the observer must not be called.
     if (variant.shared != Shared::load)

@@ -27,9 +27,11 @@ struct NewOptions
   std::string file, glass = glass_presets().front().name, table = table_presets().front().name, cookbook;
 };
 
-/// Writes the study @p file (the first of @p parts) and the files that the study reads. Writes nothing and
-/// throws OutputFailure if a file already exists.
-void write_study(const std::string &file, const std::vector<StudyPart> &parts, const std::string &words)
+/// Writes the study @p file (the first of @p parts: paths and texts) and the files that the study reads.
+/// Writes nothing and throws OutputFailure if a file already exists.
+void write_study(const std::string &file,
+                 const std::vector<std::pair<std::filesystem::path, std::string>> &parts,
+                 const std::string &words)
 {
   ensure(file.find_first_not_of(" \t") != std::string::npos,
          "The name of the study file is empty; write stemware new my_glass.prm.");
@@ -44,14 +46,14 @@ void write_study(const std::string &file, const std::vector<StudyPart> &parts, c
   on_first_rank(
     [&parts]
     {
-      for (const StudyPart &part : parts)
-        require_writable(part.file);
-      for (const StudyPart &part : parts)
-        write_output_file(part.file, part.text);
+      for (const auto &part : parts)
+        require_writable(part.first);
+      for (const auto &[path, text] : parts)
+        write_output_file(path, text);
     });
   console() << "Written   " << file << words;
   for (std::size_t i = 1; i < parts.size(); ++i)
-    console() << (i == 1 ? ", and what it reads: " : ", ") << parts[i].file.string();
+    console() << (i == 1 ? ", and what it reads: " : ", ") << parts[i].first.string();
   console() << "\nNext      stemware run " << file << std::endl;
 }
 

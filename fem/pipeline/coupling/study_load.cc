@@ -203,14 +203,14 @@ fem::ContactState contact_at_rest(ElasticFoot &foot, const ring::Orientation &ma
 }
 
 BalancedLoad contact_load(const std::shared_ptr<ElasticFoot> &foot, unsigned int n_harmonics,
-                          Progress &progress, PhaseSampling phases)
+                          Progress &progress, bool few_phases)
 {
   const auto &[study, discretisation, model] = foot->specification();
   const ContactBalance balance = moment_balance(study, n_harmonics);
   const fem::ContactState state = contact_at_rest(*foot, balance.orientation, progress);
   progress.stage_done("contact");
   const ring::PhasePeriods periods = phase_periods(*foot);
-  const bool is_hard = study.table.is_hard(), is_coarse = is_hard && phases == PhaseSampling::coarse;
+  const bool is_hard = study.table.is_hard(), is_coarse = is_hard && few_phases;
   return periods.any() ? load_over_phases(foot, balance, periods, state, is_hard, is_coarse, progress)
                        : load_at_one_phase(foot, balance, state, progress);
 }
@@ -251,13 +251,13 @@ ring::PhasePeriods phase_periods(const ElasticFoot &foot)
 }
 
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot, Progress &progress,
-                       unsigned int n_harmonics, PhaseSampling phases)
+                       unsigned int n_harmonics, bool few_phases)
 {
   const double radius = study.glass.profile.contact_radius;
   switch (study.load.source)
   {
   case LoadSource::contact:
-    return contact_load(foot, n_harmonics, progress, phases);
+    return contact_load(foot, n_harmonics, progress, few_phases);
   case LoadSource::first_harmonic:
   {
     if (!study.load.is_static())

@@ -14,14 +14,6 @@
 namespace stemware::pipeline
 {
 
-/// Sampling of a load that depends on the phase. `coarse`, for results other than the answer, has fewer
-/// samples than `full`: a quarter on a hard table, where each phase takes ten times as long.
-enum class PhaseSampling
-{
-  full,
-  coarse
-};
-
 /// Returns the moment balance of a study with the marks of glass and table as at t = 0.
 ContactBalance moment_balance(const Study &study, unsigned int n_harmonics = all_harmonics);
 
@@ -35,12 +27,14 @@ ring::PhasePeriods phase_periods(const ElasticFoot &foot);
 ///
 /// A contact is solved at rest. This load is used at every spin if the coupling is one-way, the moment is
 /// given, or the spin does not affect the load (Study::depends_on_spin()). Else contact, friction and moments
-/// are in balance at every spin (docs/theory/closures.md). Loads with waviness are sampled over the phases.
+/// are in balance at every spin (docs/theory/closures.md). Loads with waviness are sampled over the phases;
+/// with @p few_phases, for results other than the answer, at a quarter of the phases on a hard table, where
+/// each phase takes ten times as long.
 ///
 /// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,
                        Progress &progress = silent_progress(), unsigned int n_harmonics = all_harmonics,
-                       PhaseSampling phases = PhaseSampling::full);
+                       bool few_phases = false);
 
 /// Returns find_load() with the marks of glass and table at @p orientation, for a study with waviness.
 BalancedLoad find_load_at_phase(const std::shared_ptr<ElasticFoot> &foot,

@@ -92,11 +92,6 @@ const char *answer(const Make &make)
   return reply.c_str();
 }
 
-const char *name_of(MeshMatch match)
-{
-  return match == MeshMatch::same ? "same" : match == MeshMatch::close ? "near" : "foreign";
-}
-
 } // namespace
 
 } // namespace stemware::pipeline
@@ -137,7 +132,7 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
     {
       const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       last_contact = found.contact;
-      return Json{ { "fit", name_of(found.match) },
+      return Json{ { "fit", found.mesh_differs ? "near" : "same" },
                    { "notes", implausible_notes(entries_of(explorer->study())) },
                    { "document", answer_document(found) } };
     });

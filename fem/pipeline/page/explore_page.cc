@@ -188,7 +188,7 @@ Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::Compli
   Discretisation mesh;
   if (max_nodes == 0 || !revolution_setup(study).resolution.has_focus())
     return mesh;
-  while (live_bodies({ study, mesh }, cache).foot.n_nodes() > max_nodes && mesh.fineness > 0.05)
+  while (live_bodies({ study, mesh }, cache).first.n_nodes() > max_nodes && mesh.fineness > 0.05)
     mesh.fineness *= 0.85;
   return mesh;
 }
@@ -248,11 +248,11 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
   const ring::Answer program = ring::answer(find_load(study, program_foot), spin_question(study)).value();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
-  const LiveBodies live = live_bodies({ study, mesh }, cache);
+  const auto [of_foot, of_disc] = live_bodies({ study, mesh }, cache);
   for (int bits = is_coarse ? 20 : 24;; bits = bits < 27 ? 27 : 30)
   {
-    const PagedCompliance foot(live.foot, bits);
-    const auto disc = live.disc ? std::optional(PagedCompliance(*live.disc, bits)) : std::nullopt;
+    const PagedCompliance foot(of_foot, bits);
+    const auto disc = of_disc ? std::optional(PagedCompliance(*of_disc, bits)) : std::nullopt;
     const ring::Answer here = answer_in_page(entries_of(study), mesh.fineness, foot, disc ? &*disc : nullptr);
     const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
@@ -260,7 +260,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
     SolvedPair pair = { glass ? glass->name : "glass of the study",
                         table ? table->name : "table of the study",
                         study,
-                        live.foot.n_nodes(),
+                        of_foot.n_nodes(),
                         mesh.fineness,
                         foot,
                         disc,
@@ -272,7 +272,7 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
     if (disc)
       for (const double ratio : similar_feet)
         pair.discs.emplace(ratio * study.glass.profile.contact_radius,
-                           PagedCompliance(*live_bodies({ study, mesh }, cache, ratio).disc, bits));
+                           PagedCompliance(*live_bodies({ study, mesh }, cache, ratio).second, bits));
     return pair;
   }
 }
@@ -309,7 +309,8 @@ std::string live_solver()
 
 } // namespace
 
-LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
+std::pair<fem::ContactCompliance, std::optional<fem::ContactCompliance>>
+live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio)
 {
   const Study &study = specification.study;
   ensure(study.load.is_from_contact(), "A page needs a contact to solve; set Load/Source = contact.");
@@ -328,10 +329,10 @@ LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCa
   }
   const fem::MeridianMeshes meshes(setup);
   const fem::MeridianOptions options = setup.meridian_of_zone();
-  LiveBodies bodies = { *cache.get(meshes.foot, setup.material, options), std::nullopt };
+  std::optional<fem::ContactCompliance> disc;
   if (setup.table.substrate)
-    bodies.disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
-  return bodies;
+    disc = *cache.get(meshes.disc, setup.table.substrate->material, options);
+  return { *cache.get(meshes.foot, setup.material, options), disc };
 }
 
 std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache,

@@ -7,22 +7,18 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
 {
 
-/// Compliances of a study for an Explorer.
-struct LiveBodies
-{
-  fem::ContactCompliance foot;
-  std::optional<fem::ContactCompliance> disc; ///< std::nullopt on a rigid substrate
-};
-
-/// Returns the compliances of foot and disc of a study in the expected contact zone. For a similar foot,
+/// Returns the compliances of foot and disc (std::nullopt on a rigid substrate) of a study in the expected
+/// contact zone, for an Explorer. For a similar foot,
 /// @p ratio times as large, the disc is made smaller by this ratio, because Explorer scales both. Throws
 /// BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
-LiveBodies live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio = 1);
+std::pair<fem::ContactCompliance, std::optional<fem::ContactCompliance>>
+live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio = 1);
 
 /// Options of a page that solves a study at every move of a slider.
 struct PageOptions

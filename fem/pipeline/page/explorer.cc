@@ -112,18 +112,17 @@ void Explorer::freeze_mesh(double fineness)
   is_ready = true;
 }
 
-MeshMatch Explorer::mesh_match() const
+bool Explorer::mesh_differs() const
 {
   const fem::MeridianResolution now = revolution_setup({ present, discretisation }).resolution;
   const fem::MeridianResolution then = revolution_setup({ base, discretisation }).resolution;
   const auto differ = [](double one, double other) { return std::abs(one - other) > 1e-9 * std::abs(other); };
-  if (now.refinements != then.refinements || differ(now.land_grading, then.land_grading) ||
-      differ(now.focus_radius, size() * then.focus_radius) || now.has_focus() != then.has_focus())
-    return MeshMatch::none;
-  if (!now.has_focus() || !differ(now.focus_size, size() * then.focus_size))
-    return MeshMatch::same;
-  const double ratio = now.focus_size / (size() * then.focus_size);
-  return std::max(ratio, 1 / ratio) > farthest ? MeshMatch::none : MeshMatch::close;
+  const double ratio = now.has_focus() && then.has_focus() ? now.focus_size / (size() * then.focus_size) : 1;
+  ensure(now.refinements == then.refinements && !differ(now.land_grading, then.land_grading) &&
+           !differ(now.focus_radius, size() * then.focus_radius) && now.has_focus() == then.has_focus() &&
+           std::max(ratio, 1 / ratio) <= farthest,
+         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
+  return differ(ratio, 1);
 }
 
 std::shared_ptr<fem::Foot> Explorer::make_foot(const FootSpecification &specification) const
@@ -156,9 +155,7 @@ LiveAnswer Explorer::solve(unsigned int n_harmonics, bool cold)
   present.check_values();
   present.required_resultants(); // throws if the glass tips at rest
   LiveAnswer answer;
-  answer.match = mesh_match();
-  ensure(answer.match != MeshMatch::none,
-         "The mesh of this page does not resolve the width of this contact; use `stemware run`.");
+  answer.mesh_differs = mesh_differs();
   const bool from_last = !cold && last && last->has_rings();
   if (!from_last || !follow(*last, n_harmonics, answer))
     solve_cold(from_last ? last.get() : nullptr, n_harmonics, answer);

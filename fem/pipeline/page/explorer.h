@@ -12,22 +12,15 @@
 namespace stemware::pipeline
 {
 
-/// Match of an Explorer's mesh, for which its compliances were computed, with the study.
-enum class MeshMatch
-{
-  same,  ///< `stemware run` generates the same mesh
-  close, ///< `stemware run` uses another mesh; the answer has a band
-  none   ///< the mesh does not resolve the contact
-};
-
-/// Error bound of a spin with MeshMatch::close, relative to `stemware run` [rad/s]: four times the
+/// Error bound of a spin if LiveAnswer::mesh_differs, relative to `stemware run` [rad/s]: four times the
 /// differences between contacts of different widths (tests: Live).
 constexpr double close_mesh_band = 2e-5;
 
 /// Answer to a study for the live page.
 struct LiveAnswer
 {
-  MeshMatch match = MeshMatch::same;
+  /// True if `stemware run` generates a mesh other than that of the compliances; the answer then has a band.
+  bool mesh_differs = false;
   ring::Answer full;                      ///< all harmonics
   std::optional<ring::Answer> truncated;  ///< first n harmonics only, if n is given
   ring::Answer paper;                     ///< the paper's model
@@ -52,8 +45,9 @@ public:
   void freeze_mesh(double fineness);
 
   const Study &study() const { return present; }
-  /// Returns the match of the mesh with the present study.
-  MeshMatch mesh_match() const;
+  /// Returns LiveAnswer::mesh_differs of the present study. Throws BadInput if the mesh of the compliances
+  /// does not resolve the contact.
+  bool mesh_differs() const;
 
   /// Solves the study with all and with the first @p n_harmonics harmonics. If @p cold, solves it like
   /// `stemware run`. Otherwise starts from the last answer: if the solve converges, the spin is accurate to

@@ -78,9 +78,9 @@ std::string largest_step_sentence(const StudyAnswer &run)
 std::string inputs_sentence(const Budget &budget)
 {
   std::string changes;
-  for (const InputRow &input : budget.inputs)
+  for (const auto &[name, difference] : budget.inputs)
     changes += (changes.empty() ? "Inputs move the terminal spin (first harmonic, rigid ring): " : ", ") +
-               input.name + " by " + number(input.difference, "+.2g") + " rad/s";
+               name + " by " + number(difference, "+.2g") + " rad/s";
   return changes.empty() ? "" : changes + ".";
 }
 

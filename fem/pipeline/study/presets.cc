@@ -136,7 +136,7 @@ std::vector<std::string> cookbook_names()
   return names;
 }
 
-std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &file)
+std::vector<std::pair<fs::path, std::string>> cookbook_parts(const std::string &name, const fs::path &file)
 {
   const fs::path folder = cookbook_folder();
   std::string places;
@@ -152,8 +152,8 @@ std::vector<StudyPart> cookbook_parts(const std::string &name, const fs::path &f
            boost::algorithm::join(names, ", ") + ".");
 
   const fs::path study = folder / (name + ".prm");
-  std::vector<StudyPart> parts = { { file, read_text_file(study) } };
-  std::string &text = parts.front().text;
+  std::vector<std::pair<fs::path, std::string>> parts = { { file, read_text_file(study) } };
+  std::string &text = parts.front().second;
   boost::replace_all(text, "docs/cookbooks/" + name + ".prm", file.filename().string());
   for (const std::string &name_of_file : files_of(entries_of(read_study(study))))
   {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -32,15 +33,10 @@ std::string new_study_text(const Preset &glass, const Preset &table, const std::
 /// Returns the names of the installed example studies, sorted; empty if they are not installed.
 std::vector<std::string> cookbook_names();
 
-/// File of a cookbook.
-struct StudyPart
-{
-  std::filesystem::path file; ///< destination
-  std::string text;
-};
-
-/// Returns the study of a cookbook as @p file, then the files it reads, in the folder of @p file. Throws
-/// BadInput for an unknown name, with all names, or without installed cookbooks, with the searched folders.
-std::vector<StudyPart> cookbook_parts(const std::string &name, const std::filesystem::path &file);
+/// Returns destination and text of the study of a cookbook, written as @p file, then of the files it reads,
+/// in the folder of @p file. Throws BadInput for an unknown name, with all names, or without installed
+/// cookbooks, with the searched folders.
+std::vector<std::pair<std::filesystem::path, std::string>> cookbook_parts(const std::string &name,
+                                                                          const std::filesystem::path &file);
 
 } // namespace stemware::pipeline

@@ -19,9 +19,14 @@ namespace stemware::pipeline
 namespace
 {
 
+bool is_plausible(const StudyEntry &entry, double value)
+{
+  return entry.plausible->first <= value && value <= entry.plausible->second;
+}
+
 bool is_implausible(const StudyEntry &entry, double value)
 {
-  return entry.plausible && value != 0 && !entry.plausible->contains(value);
+  return entry.plausible && value != 0 && !is_plausible(entry, value);
 }
 
 std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
@@ -45,7 +50,7 @@ std::string assignment(const StudyEntry &entry, double value)
 
 std::string plausible_text(const StudyEntry &entry)
 {
-  return to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max) +
+  return to_short_text(entry.plausible->first) + " to " + to_short_text(entry.plausible->second) +
          unit_behind_number(entry);
 }
 
@@ -71,12 +76,13 @@ void require_alike_lengths(const std::vector<StudyEntry> &entries, double radius
     if (const auto &range = entry.times_contact_radius; range && entry.has_effect)
     {
       const double times = *entry.quantity / radius;
-      const std::string text = distinct_texts(times, times < range->min ? range->min : range->max).first;
-      ensure(range->contains(times),
+      const auto [least, most] = *range;
+      const std::string text = distinct_texts(times, times < least ? least : most).first;
+      ensure(least <= times && times <= most,
              filled("{} = {} m is {} times Glass/Contact radius = {} m, but from {} to {} is allowed; give "
                     "both in one unit.",
-                    { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(range->min),
-                      to_text(range->max) }));
+                    { entry.path(), to_text(*entry.quantity), text, to_text(radius), to_text(least),
+                      to_text(most) }));
     }
 }
 
@@ -259,10 +265,10 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                   [&](const std::string &unit)
                                   {
                                     const auto other = parse_quantity(number + ' ' + unit, entry.unit);
-                                    return other && entry.plausible->contains(*other);
+                                    return other && is_plausible(entry, *other);
                                   });
-  return assignment(entry, value) + " is outside " + to_short_text(entry.plausible->min) + " to " +
-         to_short_text(entry.plausible->max) + unit_behind_number(entry) + " for a glass; " +
+  return assignment(entry, value) + " is outside " + to_short_text(entry.plausible->first) + " to " +
+         to_short_text(entry.plausible->second) + unit_behind_number(entry) + " for a glass; " +
          (meant != units.end() ? "write " + number + ' ' + *meant + " if that is meant."
                                : "check number and unit.");
 }

@@ -6,18 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 namespace stemware::pipeline
 {
-
-/// Closed interval of numbers.
-struct Interval
-{
-  double min = 0, max = 0;
-  bool contains(double value) const { return min <= value && value <= max; }
-};
 
 /// Present value of an entry: number, count or text.
 using EntryValue = std::variant<double, unsigned int, std::string>;
@@ -38,10 +32,10 @@ struct StudyEntry
   bool is_given = false;  ///< the study was given the entry (Study::given_entries)
   bool has_effect = true; ///< some result depends on the entry
   /// Plausible values for a glass on a table; other values give a warning only. Listed in docs/values.md.
-  std::optional<Interval> plausible;
+  std::optional<std::pair<double, double>> plausible;
   std::string plausible_reason; ///< description of the two bounds
   /// Allowed range of a length over the contact radius; a length outside it probably has another unit.
-  std::optional<Interval> times_contact_radius;
+  std::optional<std::pair<double, double>> times_contact_radius;
   std::function<EntryValue()> value; ///< the present value
   /// Sets the value from a text; returns false if it is not allowed.
   std::function<bool(const std::string &)> assign;

@@ -267,7 +267,7 @@ std::string another_value(const StudyEntry &entry)
 {
   if (entry.quantity != nullptr)
     return to_text(*entry.quantity != 0 || !entry.plausible ? 1.1 * *entry.quantity
-                                                            : entry.plausible->max / 10);
+                                                            : entry.plausible->second / 10);
   const EntryValue present = entry.value();
   if (const auto *count = std::get_if<unsigned int>(&present))
     return std::to_string(std::max(1u, 2 * *count));

@@ -83,8 +83,8 @@ TEST(NewCookbook, CopiesTheStudyWithItsFiles)
   for (const std::string &name : names)
   {
     const ScratchFolder scratch;
-    for (const pipeline::StudyPart &part : pipeline::cookbook_parts(name, scratch / (name + ".prm")))
-      scratch.write(part.file.filename(), part.text);
+    for (const auto &[path, text] : pipeline::cookbook_parts(name, scratch / (name + ".prm")))
+      scratch.write(path.filename(), text);
     EXPECT_EQ(as_text(scratch.path(), name), as_text(source, name)) << name;
     for (const std::string &file :
          pipeline::files_of(pipeline::entries_of(pipeline::read_study(scratch / (name + ".prm")))))

@@ -34,14 +34,15 @@ Study study_of(const Values &values)
 }
 
 /// Initialises the solver of the page with the entries @p values and the compliances @p bodies.
-void open_page(const Values &values, const LiveBodies &bodies)
+void open_page(const Values &values,
+               const std::pair<fem::ContactCompliance, std::optional<fem::ContactCompliance>> &bodies)
 {
   explore_begin();
   for (const auto &[path, value] : values)
     EXPECT_STREQ(explore_set(path.c_str(), value.c_str()), "{}");
-  explore_take(serialized(bodies.foot).data(), 0);
-  if (bodies.disc)
-    explore_take(serialized(*bodies.disc).data(), 1);
+  explore_take(serialized(bodies.first).data(), 0);
+  if (bodies.second)
+    explore_take(serialized(*bodies.second).data(), 1);
   explore_ready(1);
 }
 
@@ -163,7 +164,7 @@ TEST(Live, SpinOfASimilarFootAgreesWithTheProgram)
     for (const StudyEntry &entry : study_entries(larger))
       if (entry.section == "Glass" && entry.unit == "m" && entry.quantity && entry.name != "Crown radius")
         *entry.quantity *= ratio;
-    const LiveBodies bodies = live_bodies(study_of(table), cache, ratio);
+    const auto bodies = live_bodies(study_of(table), cache, ratio);
     open_page(table, bodies);
     EXPECT_STREQ(explore_set("Glass/Contact radius", "0.033"), "{}");
     EXPECT_NEAR(omega_of(solved()), spin_by_the_program(larger), close_mesh_band);
@@ -181,7 +182,7 @@ TEST(Live, AgreesWithTheProgramForOneAndTwoHarmonics)
 TEST(Live, WarmStartsAgreeWithColdStarts)
 {
   fem::ComplianceCache cache;
-  const LiveBodies bodies = live_bodies(Study(), cache);
+  const auto bodies = live_bodies(Study(), cache);
   struct Moves
   {
     const char *path;
@@ -231,7 +232,7 @@ TEST(Live, WarmStartOmitsTheLoadAtRest)
 TEST(Live, RefusesChangesThatNeedAnotherMeshOrMoreCompliances)
 {
   fem::ComplianceCache cache;
-  const LiveBodies bodies = live_bodies(study_of(mat), cache);
+  const auto bodies = live_bodies(study_of(mat), cache);
   open_page(mat, bodies);
   const auto refusal = [](const char *path, const char *value)
   {
@@ -244,8 +245,8 @@ TEST(Live, RefusesChangesThatNeedAnotherMeshOrMoreCompliances)
   EXPECT_NE(refusal("Motion/Mass", "1 kg").find("width"), std::string::npos);
 
   // The compliances `narrow` cover a part of the land, and the contact reaches the border of this part.
-  LiveBodies narrow = bodies;
-  narrow.foot = bodies.foot.part(6, 5);
+  auto narrow = bodies;
+  narrow.first = bodies.first.part(6, 5);
   open_page(mat, narrow);
   EXPECT_NE(solved().value("error", "").find("leaves the part of the land"), std::string::npos);
 }

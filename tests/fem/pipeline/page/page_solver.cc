@@ -12,11 +12,11 @@ int main(int n_arguments, char **arguments)
 {
   using namespace stemware;
   fem::ComplianceCache cache;
-  const pipeline::LiveBodies bodies = pipeline::live_bodies(pipeline::Study(), cache);
+  const auto [foot, disc] = pipeline::live_bodies(pipeline::Study(), cache);
   explore_begin();
-  explore_take(pipeline::serialized(bodies.foot).data(), 0);
-  if (bodies.disc)
-    explore_take(pipeline::serialized(*bodies.disc).data(), 1);
+  explore_take(pipeline::serialized(foot).data(), 0);
+  if (disc)
+    explore_take(pipeline::serialized(*disc).data(), 1);
   explore_ready(1);
   for (int i = 1; i < n_arguments; ++i)
   {

@@ -52,7 +52,7 @@ TEST(PlausibleValues, AreListedInTheDocumentation)
     if (entry.plausible)
     {
       const std::string range =
-        to_short_text(entry.plausible->min) + " to " + to_short_text(entry.plausible->max);
+        to_short_text(entry.plausible->first) + " to " + to_short_text(entry.plausible->second);
       EXPECT_THAT(page, testing::HasSubstr("\n| `" + entry.path() + "` | " + range +
                                            (entry.unit == "1" ? "" : " " + entry.unit) + " | " +
                                            entry.plausible_reason + " |\n"));
@@ -71,8 +71,8 @@ TEST(PlausibleValues, ContainTheDefaultsAndExcludeValuesAboveTheMaximum)
     }
     if (!entry.plausible)
       continue;
-    EXPECT_LT(entry.plausible->min, entry.plausible->max) << entry.path();
-    EXPECT_NE(implausible_note(entry.path(), 1.01 * entry.plausible->max), "") << entry.path();
+    EXPECT_LT(entry.plausible->first, entry.plausible->second) << entry.path();
+    EXPECT_NE(implausible_note(entry.path(), 1.01 * entry.plausible->second), "") << entry.path();
     EXPECT_FALSE(entry.plausible_reason.empty()) << entry.path();
     ++n_ranges;
   }
