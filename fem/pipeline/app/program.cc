@@ -3,7 +3,7 @@
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/base/console.h"
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/json.h"
 #include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text.h"

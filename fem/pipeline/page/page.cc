@@ -1,6 +1,5 @@
 #include "fem/pipeline/page/page.h"
 
-#include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/base/output.h"
 #include "fem/pipeline/base/text_file.h"
 

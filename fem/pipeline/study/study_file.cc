@@ -1,7 +1,6 @@
 #include "fem/pipeline/study/study_file.h"
 
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/base/json_text.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/base/text_file.h"

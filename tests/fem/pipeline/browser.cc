@@ -1,6 +1,6 @@
 #include "tests/fem/pipeline/browser.h"
 
-#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/json.h"
 
 #include <boost/algorithm/string/replace.hpp>
 #include <gtest/gtest.h>

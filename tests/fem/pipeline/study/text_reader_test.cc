@@ -1,4 +1,4 @@
-#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/json.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"

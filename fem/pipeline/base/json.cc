@@ -1,4 +1,4 @@
-#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/json.h"
 
 #include "fem/pipeline/base/failures.h"
 

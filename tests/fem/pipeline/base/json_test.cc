@@ -1,4 +1,4 @@
-#include "fem/pipeline/base/json_text.h"
+#include "fem/pipeline/base/json.h"
 #include "tests/fem/pipeline/matchers.h"
 
 #include <gtest/gtest.h>
