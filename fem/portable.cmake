@@ -30,7 +30,7 @@ set(STEMWARE_PORTABLE
     fem/revolution/revolution_setup.
     fem/revolution/target_clones.
     fem/pipeline/base/failures.
-    fem/pipeline/base/json.
+    fem/pipeline/base/json.h
     fem/pipeline/base/numbers.
     fem/pipeline/base/progress.
     fem/pipeline/base/text.
