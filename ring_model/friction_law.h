@@ -8,7 +8,7 @@ namespace stemware::ring
 {
 /// Coefficient of friction that depends on the local slip speed.
 ///
-///     const StribeckLaw law(0.4, 0.3, 0.1);     // mu_s, mu_k, decay speed [m/s]
+///     const StribeckLaw law(0.4, 0.3, 0.1); // mu_s, mu_k, decay speed [m/s]
 ///     const auto friction = friction_functionals(law, load.radii(), load.n_harmonics(), omega, v);
 ///     friction(load).torque; // tau_z [N m]
 class FrictionLaw
@@ -27,10 +27,10 @@ public:
 class StribeckLaw : public FrictionLaw
 {
 public:
-  /// @p static_coefficient: limit for vanishing slip. @p kinetic_coefficient: plateau at high slip speed.
-  /// @p decay_speed [m/s]. @p viscous: growth with the slip speed [s/m]. @p decay_exponent: 1: Tustin's form,
-  /// 2: the usual one. Throws std::invalid_argument if a coefficient is negative, or decay speed or exponent
-  /// not positive.
+  /// Creates the law. @p static_coefficient: limit for vanishing slip. @p kinetic_coefficient: plateau at
+  /// high slip speed. @p decay_speed [m/s]. @p viscous: growth with the slip speed [s/m]. @p decay_exponent:
+  /// 1 for Tustin's law, 2 for a Gaussian decay. Throws std::invalid_argument if a coefficient is negative,
+  /// or decay speed or exponent not positive.
   StribeckLaw(double static_coefficient, double kinetic_coefficient, double decay_speed, double viscous = 0.,
               double decay_exponent = 2.);
   double coefficient(double slip_speed) const override;

@@ -6,8 +6,8 @@
 
 namespace stemware::ring
 {
-/// Returns the motion of yaw_motion() at @p times [s] after @p start, braked by the fingers with @p grip [N
-/// m]. The torque is not evaluated after the last time.
+/// Returns the motion at @p times [s] after @p start, braked by the fingers with @p grip [N m]. Other
+/// arguments as in yaw_motion(). The torque is not evaluated after the last time.
 std::vector<YawSample> gripped_motion(const YawSample &start, const PhasedTorqueFunction &torque,
                                       double yaw_inertia, const std::vector<double> &times, double accuracy,
                                       double spin_scale, double grip, const std::vector<double> &breaks = {});

@@ -6,7 +6,6 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 

@@ -32,8 +32,8 @@ public:
   /// Returns the outer radius [m].
   double outer_radius() const { return outer; }
 
-  /// Returns the mean of r^exponent over the weight [m^exponent]; of r^2 the squared gyration radius, if the
-  /// mass is spread like the weight.
+  /// Returns the mean of r^exponent, weighted with the normal force [m^exponent]. For exponent 2, the squared
+  /// gyration radius if the mass is distributed like the normal force.
   double mean_power(double exponent) const;
 
   /// Returns the table's friction in the slip frame at the speed v >= 0 [m/s] and the spin omega [rad/s]. @p

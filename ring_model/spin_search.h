@@ -27,9 +27,11 @@ struct SpinSearch
   /// Returns the known spin without balance nearest to rest, between 0 and @p omega. Empty: unknown.
   std::function<std::optional<double>(double omega)> nearest_unbalanced_spin = {};
 
-  static constexpr double least_size = 1e-3; ///< spin over spin_scale below which the tolerance is absolute
-  static constexpr double unsteady = 0.9;    ///< stability margin below which the balance may end nearby
-  /// Distance of two spins over spin_scale above which the difference of their torques is not rounding.
+  /// Spin, relative to spin_scale, below which the tolerance is absolute.
+  static constexpr double least_size = 1e-3;
+  static constexpr double unsteady = 0.9; ///< stability margin below which the balance may end nearby
+  /// Distance of two spins, relative to spin_scale, above which rounding does not dominate the difference of
+  /// their torques.
   static constexpr double rounding_distance = 1e-6;
 };
 
@@ -37,11 +39,12 @@ struct SpinSearch
 struct TerminalSpin
 {
   double omega = 0.;          ///< [rad/s]
-  double torque_slope = NAN;  ///< d tau_z / d omega there [N m s]; NaN if unknown or held
-  double time_constant = NAN; ///< I_z / |slope| of approach (stable) or escape [s]; NaN likewise
-  bool stable = true;         ///< slope < 0, or unknown
+  double torque_slope = NAN;  ///< d tau_z / d omega at `omega` [N m s]; NaN if unknown or held
+  double time_constant = NAN; ///< I_z / |slope| of approach (stable) or escape [s]; NaN if unknown or held
+  bool stable = true;         ///< the slope is negative or unknown
   bool held = false;          ///< the fingers keep the glass at rest: |tau_z(0)| <= tau_g, tau_g > 0
-  /// Last evaluated spin, at the zero or within 1e-7 of it [rad/s].
+  /// Spin for the load at the terminal spin [rad/s]: `omega`; after find_terminal_spin_near(), the last
+  /// evaluated spin, within 1e-7 of `omega`; with phases, the zero of the mean torque.
   double evaluated_at = omega;
   /// With phases: half the difference between the largest and the smallest spin after the transient [rad/s].
   double ripple = 0.;

@@ -140,12 +140,14 @@ TerminalSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
       spin.ripple = half_range(samples);
       spin.uncertainty = std::abs(spin.omega - before.value_or(spin.omega));
       if (before && spin.uncertainty <= accuracy * spin_scale)
-        return spin;
+        spin.evaluated_at = spin.omega;
+      return spin;
       before = spin.omega;
     }
   }
   if (spin.uncertainty <= largest_uncertainty * spin_scale)
-    return spin;
+    spin.evaluated_at = spin.omega;
+  return spin;
   throw NoBalance(sentence("the mean spin does not settle: windows of ", window / 2., " s still differ by ",
                            spin.uncertainty, " rad/s around ", spin.omega, " rad/s"));
 }

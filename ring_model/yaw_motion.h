@@ -33,9 +33,9 @@ double torque_with_grip(double torque, double omega, double grip);
 
 /// Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
 /// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by
-/// Radau IIA if the time constant is far below the time between outputs. A spin that reaches 0
-/// is exactly 0 until |tau_z| at rest exceeds the grip. The end of a rest is bracketed by outputs, breaks and
-/// 64 parts of the remaining time.
+/// Radau IIA if the time constant is far below the time between outputs. A spin that reaches 0 is exactly 0
+/// until |tau_z| at rest exceeds the grip. The end of a rest is bracketed by outputs, breaks and 64 parts of
+/// the remaining time.
 ///
 /// @p times: increasing output times [s], the first one >= 0. @p accuracy: tolerance of psi relative to max(1
 /// rad, |psi|) and of omega relative to max(spin_scale, |omega|). @p spin_scale: typical spin, v / R [rad/s].

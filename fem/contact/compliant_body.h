@@ -39,8 +39,7 @@ protected:
   virtual Eigen::VectorXd response_to(const Eigen::VectorXd &forces) const = 0;
 
   /// Returns the step of the state by @p forces [N] and of the table by @p motion. @p resistance: derivative
-  /// of
-  /// @p conditions by the motions, without LinearConditions::motion_weights().
+  /// of @p conditions by the motions, without LinearConditions::motion_weights().
   NewtonIncrement step_by(Eigen::VectorXd forces, const Eigen::Vector3d &motion,
                           const Eigen::Matrix3d &resistance, const LinearConditions &conditions)
   {

@@ -50,8 +50,7 @@ public:
   }
 
   /// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact
-  /// nodes.
-  /// @p radius: R, for the message [m]; @p is_ring as in ContactSurface.
+  /// nodes. @p radius: R, for the message [m]; @p is_ring as in ContactSurface.
   void require_possible(double radius, bool is_ring) const;
 
 private:

@@ -59,9 +59,9 @@ std::string printable(std::string_view text, std::size_t max_length = 30);
 /// Reads the @p text of a file for read_hexahedra() in linear time and memory. Throws UnreadableMesh.
 MeshContent read_gmsh(const std::string &text);
 
-/// Reads the hexahedra of a Gmsh file (.msh, format 2 or 4, ASCII) and the physical ids of their faces; only
-/// the corners of second-order hexahedra are kept.
-/// Coordinates are multiplied by @p unit [m]. Throws std::invalid_argument for any other or damaged file,
+/// Reads the hexahedra of a Gmsh file (.msh, format 2 or 4, ASCII) and the physical ids of their faces into
+/// @p triangulation. Of second-order hexahedra only the corners are kept. Coordinates are multiplied by
+/// @p unit [m]. Returns the content of the file. Throws std::invalid_argument for any other or damaged file,
 /// separate nodes at one position, and hanging nodes. Ignores inner faces, unused nodes and other sections.
 MeshContent read_hexahedra(const std::string &file_name, double unit,
                            dealii::Triangulation<3, 3> &triangulation);

@@ -13,8 +13,7 @@ namespace stemware::fem
 
 /// Elastic foot that is a body of revolution, and the table under it (docs/method/revolution.md). Contact
 /// nodes are the crossings of its contact circles with n_lines azimuth lines, node j * n_radii + i on circle
-/// i and line j. Copies have their
-/// own state and share the contact surface.
+/// i and line j. Copies have their own state and share the contact surface.
 class BodyOfRevolution : public CompliantBody
 {
 public:

@@ -29,17 +29,17 @@ struct LineIncrement
   Eigen::Matrix3d resistance;
 };
 
-/// Returns the Newton step of a body of revolution that fulfils @p conditions; @p residual: of the law's
-/// forces. The increment df of the elastic forces solves (1 + T C) df = r - T Q dq with the tangent T of the
-/// table law, block diagonal in the lines, the elastic response C, and r, the forces of the law minus the
-/// elastic forces. C is a part local to the lines plus a few smooth functions of the radius times the modes
-/// up to n_max (ElasticResponse). Eliminating the lines leaves a small dense system for the amplitudes of
-/// these functions and the table motions. Polynomials approximate the functions: a step reduces the error of
-/// the forces to a fifth or less; the converged solution is exact.
+/// Returns the Newton step of a body of revolution that fulfils @p conditions. @p residual: residual of @p
+/// conditions under the elastic forces. The increment df of these forces solves (1 + T C) df = r - T Q dq
+/// with the tangent T of the table law, block diagonal in the lines, the elastic response C, and r, the
+/// forces of the law minus the elastic forces. C is a part local to the lines plus a few smooth functions of
+/// the radius times the modes up to n_max (ElasticResponse). Eliminating the lines leaves a small dense
+/// system for the amplitudes of these functions and the table motions. Polynomials approximate the functions:
+/// a step reduces the error of the forces to a fifth or less; the converged solution is exact.
 ///
 /// @p tangent: as in ContactForces. @p unbalanced: r [N], shape [n_radii, n_lines]. Points without tangent
 /// are skipped if |r| <= @p negligible [N]. @p cached: reused for the same circles, otherwise overwritten.
-/// Throws ContactFailure if the system is singular.
+/// Throws ContactFailure if no point is under pressure or the system is singular.
 LineIncrement line_newton_step(const ElasticResponse &response, const Eigen::SparseMatrix<double> &tangent,
                                const Eigen::MatrixXd &unbalanced, double negligible,
                                const LinearConditions &conditions, const Eigen::Vector3d &residual,

@@ -14,9 +14,8 @@ namespace stemware::fem
 template <typename Work>
 void parallel_for(unsigned int n, const Work &work)
 {
-  // The thread sanitizer does not see the synchronisation within libtbb, which is not built with it. The
-  // atomic repeats this synchronisation: each call sees what happened before the loop, the caller what the
-  // calls did.
+  // libtbb is not built with the thread sanitizer, so its synchronisation is invisible. The atomic repeats
+  // it: writes before the loop are visible in each call, and writes of the calls are visible after the loop.
   std::atomic<unsigned int> n_finished;
   n_finished.store(0, std::memory_order_release);
   tbb::parallel_for(

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace stemware::fem
@@ -242,8 +243,7 @@ private:
   }
 
   /// Returns the solution from @p at on an interface softer by the factor @p softness, stiffened in few
-  /// steps;
-  /// @p divergence_residual as in ContactControl.
+  /// steps; @p divergence_residual as in ContactControl.
   ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
                           double largest_step,
                           double divergence_residual = std::numeric_limits<double>::infinity())

@@ -23,8 +23,8 @@ struct RevolutionContact
 {
   ContactSolution solution;
   std::vector<ContactIteration> history; ///< Newton steps of the last solve on the unsoftened interface
-  std::optional<std::size_t>
-    start_used; ///< index of the successful guess in RevolutionGuesses::previous, if any
+  /// Index of the successful guess in RevolutionGuesses::previous, if any.
+  std::optional<std::size_t> start_used;
 };
 
 /// Solves the contact of @p body on @p law (a penalty law of @p interface if the table is hard) under @p

@@ -12,8 +12,8 @@ namespace stemware::fem
 /// frame with the table at rest (the table motion (q0, q1, q2) is transferred to the glass; azimuths of
 /// the field start at @p axis), `stress` [Pa], `strain`, `von_mises_stress` [Pa], `contact_pressure` [Pa].
 /// Stress and strain at shared nodes are means over the cells. Contact cells are divided along r until the
-/// interpolated pressure integrates to N within 0.5 %.
-/// @p law: must be local. @p gap: of @p body in the state of @p solution.
+/// interpolated pressure integrates to N within 0.5 %. @p law must be local. @p gap: gap of @p body in the
+/// orientation of @p solution.
 std::string revolution_fields(const MeridianField &field, const BodyOfRevolution &body, const TableLaw &law,
                               const ContactSolution &solution, const BodyOfRevolution::Gap &gap, double axis);
 

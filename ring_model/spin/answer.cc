@@ -118,7 +118,6 @@ void find_terminal(const Load &load, const Question &question, Answer &found)
       found.terminal = find_terminal_spin(torque, search);
     found.terminal->torque_slope = nan; // a secant's slope is not accurate enough
   }
-  found.zero_of_mean_torque = found.terminal->omega;
   if (load.phases())
     take_long_run_mean(load, question, search.spin_scale, found);
 }

@@ -26,7 +26,8 @@ struct Question
   /// Nominal radius R of moment ratios [m]; std::nullopt: the radius of the load's single ring.
   std::optional<double> contact_radius = {};
   double initial_guess = 0.; ///< initial guess of the terminal spin [rad/s]; 0: from the load at rest
-  /// Terminal spin of a similar load, for a local search; std::nullopt: search from rest.
+  /// Terminal spin of a similar load with a negative slope, for a local search; std::nullopt: search from
+  /// rest.
   std::optional<TerminalSpin> zero_guess = {};
   bool with_slope = false;    ///< compute slope and time constant: four more loads
   TimeObserver observer = {}; ///< called during long runs and spin-ups
@@ -80,13 +81,12 @@ struct Answer
   unsigned int harmonics = 0; ///< harmonics that act on the ring
 
   std::optional<RingState> at_rest;
-  /// With phases: the mean spin after the transient. Its uncertainty is of the average, of the mean of the
-  /// sampled loads, and of the loads between samples weighted by the ripple.
+  /// With phases: the mean spin after the transient. TerminalSpin::uncertainty adds the errors of the
+  /// average, of the mean of the sampled loads, and of the loads between samples weighted by the ripple.
   std::optional<TerminalSpin> terminal;
-  double zero_of_mean_torque = 0.; ///< [rad/s]; the terminal spin if phases do not matter
   std::optional<RingState> at_terminal;
-  /// State at the last spin in balance, known to v / (4096 R), if the glass stands at rest, but tips before a
-  /// terminal spin.
+  /// State at the last spin in balance, located to v / (4096 R). std::nullopt unless the glass stands at rest
+  /// and tips before a terminal spin.
   std::optional<RingState> fall;
   Status status = Status::no_balance;
   std::string reason = {};              ///< cause of missing quantities; empty if none is missing
@@ -100,7 +100,8 @@ struct Answer
   std::optional<double> last_spin() const;
   /// Returns I_z / |d tau_z / d omega| at the terminal spin [s]; std::nullopt without it or without a slope.
   std::optional<double> time_constant() const;
-  /// Returns the terminal spin as an initial guess for similar loads; std::nullopt without it or its slope.
+  /// Returns the terminal spin as an initial guess for similar loads; std::nullopt if the spin is missing or
+  /// 0, or its slope is not known to be negative.
   std::optional<TerminalSpin> zero_guess() const;
   /// Returns whether the load is negative somewhere, at rest or at the terminal spin.
   bool pulls() const;

@@ -1,5 +1,4 @@
 #include "ring_model/friction_functionals.h"
-#include "tests/ring_model/quadrature.h"
 #include "tests/ring_model/reference.h"
 #include "tests/ulps.h"
 
@@ -30,25 +29,6 @@ TEST(CoulombRing, AgreesWithReferenceWrenches)
     EXPECT_NEAR(wrench.force_y, row["T_perp"].get<double>(), ulps(10, 0.94));
     expect_relative(-(wrench.force_x * speed + wrench.torque * omega),
                     row["dissipation_over_v"].get<double>() * speed, 1e-13, "dissipation");
-  }
-}
-
-TEST(CoulombRing, AgreesWithQuadrature)
-{
-  const RingStack load = reference_load();
-  // The trapezoidal rule converges geometrically for |eps| != 1 (docs/theory/kernels.md) and algebraically
-  // for |eps| = 1.
-  for (const auto &[eps, n_points, tolerance] : { std::tuple{ 0.1, 64u, 1e-15 },
-                                                  { -0.5, 128u, 1e-15 },
-                                                  { 0.9, 600u, 2e-15 },
-                                                  { 5., 64u, 1e-15 },
-                                                  { 1., 4000u, 2e-7 } })
-  {
-    const Wrench exact = coulomb_wrench(0.3, load, eps * 0.35 / 0.03, 0.35);
-    const Wrench sum = test::wrench_by_quadrature(0.3, load, eps * 0.35 / 0.03, 0.35, n_points);
-    EXPECT_NEAR(sum.torque, exact.torque, 0.03 * tolerance) << eps;
-    EXPECT_NEAR(sum.force_x, exact.force_x, tolerance) << eps;
-    EXPECT_NEAR(sum.force_y, exact.force_y, tolerance) << eps;
   }
 }
 

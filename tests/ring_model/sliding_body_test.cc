@@ -75,19 +75,6 @@ TEST(SlidingBody, AgreesWithTheClosedFormsUnderHertzPressure)
   EXPECT_NEAR(body.friction(1., 2., 0.).force_x, -1., 1e-13);
 }
 
-TEST(SlidingBody, UniformPressureGivesTheFrictionOfTheAnnulus)
-{
-  const auto three = [](const std::vector<double> &radii) { return std::vector<double>(radii.size(), 3.); };
-  const SlidingBody given = SlidingBody::with_pressure(three, 0.4, 1.),
-                    annulus = SlidingBody::annulus(0.4, 1.);
-  for (const double omega : { -7., -1.6, -1., -0.3, 0., 0.9, 1.00001, 2.5 })
-  {
-    const Wrench found = given.friction(2., 1., omega), exact = annulus.friction(2., 1., omega);
-    EXPECT_NEAR(found.torque, exact.torque, 1e-13) << omega;
-    EXPECT_NEAR(found.force_x, exact.force_x, 1e-13) << omega;
-  }
-}
-
 TEST(SlidingBody, RefusesInvalidRadiiPressuresAndVelocities)
 {
   EXPECT_THROW(SlidingBody::ring(0.), std::invalid_argument);

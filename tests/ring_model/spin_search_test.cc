@@ -206,6 +206,15 @@ TEST(SpinSearch, FindsANarrowGapWithoutBalanceByTheStabilityMargin)
     }
 }
 
+TEST(SpinSearch, FindsTheZeroNextToASimilarOne)
+{
+  const auto torque = [](double omega) { return 1.001 - omega - 0.1 * (omega - 1.001) * (omega - 1.001); };
+  const std::optional<TerminalSpin> zero = find_terminal_spin_near({ 1., -1.1 }, torque, { 10. });
+  ASSERT_TRUE(zero);
+  EXPECT_NEAR(zero->omega, 1.001, 1e-11);
+  EXPECT_NEAR(zero->evaluated_at, zero->omega, 1.1e-7);
+}
+
 TEST(SpinSearch, ReportsTippingAtATorqueJumpButNotAtASteepContinuousDrop)
 {
   // At 0.7 rad/s, a second balance begins and the torque jumps by `drop`. `beyond` is added to the stability

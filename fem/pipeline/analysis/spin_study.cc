@@ -49,8 +49,8 @@ PhaseStudy study_phases(const std::shared_ptr<ElasticFoot> &foot, const Balanced
   {
     study.spin_ripple = row.terminal->ripple;
     study.spin_uncertainty = row.terminal->uncertainty;
+    study.zero_of_mean_torque = row.terminal->evaluated_at;
   }
-  study.zero_of_mean_torque = row.zero_of_mean_torque;
   const double at_rest = least_load_over_phases(foot, loads, 0);
   study.least_load = at_rest;
   if (row.omega_terminal())

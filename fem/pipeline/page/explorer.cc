@@ -180,7 +180,7 @@ bool Explorer::follow(const ElasticFoot &last, unsigned int n_harmonics, LiveAns
     const double omega = found.spin.omega;
     ring::Answer row;
     row.harmonics = found.load.n_harmonics();
-    row.terminal = ring::TerminalSpin{ omega, found.spin.torque_slope, std::nan(""), true };
+    row.terminal = found.spin;
     row.at_terminal = ring::ring_state(found.load, spin_question(present), omega);
     row.status = ring::Status::full_contact;
     return row;

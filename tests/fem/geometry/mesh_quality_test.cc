@@ -41,16 +41,6 @@ double sectors_area(const GlassProfile &profile, unsigned int n_sectors)
 
 } // namespace
 
-TEST(MeshCheck, ContactFacesHaveTheAreaOfTheLand)
-{
-  const GlassProfile profile;
-  FootResolution resolution;
-  resolution.azimuthal_cells = 24;
-  Triangulation<3> foot;
-  make_foot_mesh(profile, resolution, foot);
-  EXPECT_NEAR(check_mesh(foot).contact_area / sectors_area(profile, 24), 1, 1e-12);
-}
-
 TEST(MeshCheck, ReportsScaledJacobiansAndCountsInvertedCells)
 {
   const MeshCheck brick = check_cube([](const Point<3> &x) { return Point<3>(2 * x[0], 3 * x[1], x[2]); });

@@ -372,6 +372,7 @@ TEST(Budget, WavyRimWithoutInterfaceComplianceSpinsAsOnAHardTable)
   study.table.interface = TableInterface::hard;
   fem::ComplianceCache cache;
   const ring::Answer hard = solve_rows({ { study } }, nullptr, {}, ThreadedExecutor(cache)).front().row;
+  ASSERT_TRUE(hard.terminal) << hard.reason;
   EXPECT_GT(hard.terminal->ripple, 0);
   EXPECT_NEAR(*row->omega_terminal, *hard.omega_terminal(), 1e-3 * std::abs(*hard.omega_terminal()));
 }

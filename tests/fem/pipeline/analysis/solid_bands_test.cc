@@ -167,7 +167,7 @@ double mean_spin(const Study &study)
 {
   fem::ComplianceCache cache;
   const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
-  return ring::answer(load, { study.motion.orbit }).value().zero_of_mean_torque;
+  return ring::answer(load, { study.motion.orbit }).value().terminal->evaluated_at;
 }
 
 } // namespace
