@@ -2,8 +2,8 @@
 
 #include "fem/pipeline/coupling/elastic_foot.h"
 #include "fem/pipeline/study/motion_section.h"
-#include "ring_model/spin/curves.h"
 #include "ring_model/spin/hand_drive.h"
+#include "ring_model/yaw_motion.h"
 
 #include <memory>
 #include <optional>

@@ -244,7 +244,7 @@ LoadsAtPhases changed_loads(const std::shared_ptr<ElasticFoot> &foot, const Load
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Returns the evaluation of the changed @p foot, foot_of() @p change.
+/// Returns the evaluation of @p foot, the foot_of() @p change.
 Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
                     const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
 {
@@ -381,7 +381,7 @@ ErrorBands bands_of(const Analysis &analysis, const ring::Answer &all, const std
   }
   widen_parts_of_lines(bands);
   for (BandedQuantity &banded : bands)
-    if (banded.quantity.key == "omega_terminal" && all.terminal && all.terminal->uncertainty > 0)
+    if (banded.quantity.key == "omega_terminal" && all.terminal->uncertainty > 0)
       banded.add("interpolation", all.terminal->uncertainty);
   return bands;
 }

@@ -5,7 +5,6 @@
 #include "fem/pipeline/analysis/solve.h"
 #include "ring_model/spin/answer.h"
 
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -7,8 +7,8 @@
 #include "ring_model/spin/torque_effect.h"
 
 #include <cstddef>
-#include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -100,8 +100,8 @@ std::pair<std::vector<double>, ring::Load> curve_load(const std::vector<LoadedRo
 
 /// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
 /// at the spins of @p of_all, curve_load(), and over the time of the study. @p euler_step: longest Euler step
-/// [s], 0: none;
-/// @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is lost.
+/// [s], 0: none; @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is
+/// lost.
 StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper,
                         const std::pair<std::vector<double>, ring::Load> &of_all, const Executor &executor,
                         double euler_step = 0, const ring::TimeObserver &observer = {});

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/solve.h"
 #include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/base/stopwatch.h"
 
@@ -31,7 +30,7 @@ private:
   void show(const std::string &what, std::size_t n_done, std::size_t n_all);
   void end_bar();
 
-  bool is_counting = false; ///< pieces of a known number are in work
+  bool is_counting = false; ///< true until all pieces of a known number are done
   std::size_t tenths_shown = 0;
   std::size_t bar_width = 0; ///< columns of the present bar, to be overwritten
   bool has_header = false;   ///< table of Newton steps has its header

@@ -172,7 +172,8 @@ void mesh(const MeshOptions &options)
                      " ends in neither .msh nor .vtu; write a name with one of these endings.");
     on_first_rank([&] { require_writable(file); });
   }
-  std::optional<Study> study; // of the mesh, or of the options and reference lengths for a mesh file
+  // The study defines the mesh, or the options and reference lengths of a mesh file.
+  std::optional<Study> study;
   if (!options.study.study_file.empty() || options.check.empty() || !options.study.overrides.empty())
     study = read_study(options.study.study_file, options.study.overrides);
   print_note("Profile   ", study ? profile_note(study->glass) : "");

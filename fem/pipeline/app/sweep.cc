@@ -73,6 +73,8 @@ void sweep(const SweepOptions &options)
   stopwatch.finish("input");
 
   ConsoleProgress progress(stopwatch);
+  if (!wanted.empty())
+    progress.pieces_done("cases", n_kept, n_cases); // starts the interval before the first line
   std::size_t n_done = n_kept, n_failed = 0;
   solve_cases(list, wanted, n_threads,
               [&](std::size_t index, const CaseResult &result)

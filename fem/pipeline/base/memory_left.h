@@ -3,9 +3,9 @@
 namespace stemware::pipeline
 {
 
-/// Throws std::runtime_error if this process may take less memory than the @p needed bytes, under the
-/// tightest limit: address space (RLIMIT_AS) or control groups. An address space needs @p reserved bytes,
-/// with reserved memory that is hardly used, such as stacks.
+/// Throws std::runtime_error unless the tightest memory limit of this process leaves @p needed [byte], or
+/// @p reserved [byte] if this limit is the address space (RLIMIT_AS), which includes hardly used memory such
+/// as stacks. Other limits are control groups.
 void require_memory_left(double needed, double reserved);
 
 } // namespace stemware::pipeline

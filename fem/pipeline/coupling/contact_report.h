@@ -40,9 +40,8 @@ struct ContactReport
 class BalancedLoad;
 class ElasticFoot;
 
-/// Returns the report on @p load, find_load() of @p foot (nullptr without a contact), at rest and at
-/// @p last_spin, the end of the spin-up [rad/s], without the results of add_fields(). May solve the contact
-/// at
+/// Returns the report on @p load, find_load() of @p foot (nullptr without a contact), at rest and at @p
+/// last_spin, the end of the spin-up [rad/s], without the results of add_fields(). May solve the contact at
 /// @p last_spin. Throws as @p load.
 ContactReport describe(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load, double last_spin);
 

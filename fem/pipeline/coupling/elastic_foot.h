@@ -19,7 +19,7 @@ class ElasticFoot
 public:
   ElasticFoot(std::shared_ptr<const fem::Foot> foot, FootSpecification specification);
 
-  /// Returns the specification from which the foot was made.
+  /// Returns study, discretisation and model of the foot.
   const FootSpecification &specification() const { return made_from; }
   /// Returns the contact radius R of the moment ratio [m].
   double radius() const { return made_from.study.glass.profile.contact_radius; }

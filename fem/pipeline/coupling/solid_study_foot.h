@@ -9,7 +9,7 @@ namespace stemware::pipeline
 {
 
 /// Makes the foot of a study with a solid body, in builds with STEMWARE_SOLID. Collective. @p similar as in
-/// foot_maker(). Throws BadInput for an unusable mesh file, std::invalid_argument for an invalid setup.
+/// FootMaker. Throws BadInput for an unusable mesh file, std::invalid_argument for an invalid setup.
 std::shared_ptr<fem::Foot> make_solid_foot(const FootSpecification &specification, const fem::Foot *similar);
 
 } // namespace stemware::pipeline

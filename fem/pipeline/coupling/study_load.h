@@ -28,8 +28,8 @@ ring::PhasePeriods phase_periods(const ElasticFoot &foot);
 /// A contact is solved at rest. This load is used at every spin if the coupling is one-way, the moment is
 /// given, or the spin does not affect the load (Study::depends_on_spin()). Else contact, friction and moments
 /// are in balance at every spin (docs/theory/closures.md). Loads with waviness are sampled over the phases;
-/// with @p few_phases, for results other than the answer, at a quarter of the phases on a hard table, where
-/// each phase takes ten times as long.
+/// with @p few_phases, for results other than the answer, a hard table has at most 16 phases instead of 32
+/// (64 for a load that does not vary with the spin), because each phase takes ten times as long.
 ///
 /// Throws BadInput and fem::ContactFailure; the load throws NoBalance.
 BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &foot,

@@ -244,8 +244,11 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
                       fem::ComplianceCache &cache)
 {
   const Study study = study_of(options, glass, table);
-  const auto program_foot = study_foot(study, foot_maker(cache));
-  const ring::Answer program = ring::answer(find_load(study, program_foot), spin_question(study)).value();
+  const ring::Answer program = [&]
+  {
+    const auto foot = study_foot(study, foot_maker(cache));
+    return ring::answer(find_load(study, foot), spin_question(study)).value();
+  }();
   const Discretisation mesh = coarsened(study, options.max_nodes, cache);
   const bool is_coarse = mesh.fineness < 1;
   const auto [of_foot, of_disc] = live_bodies({ study, mesh }, cache);

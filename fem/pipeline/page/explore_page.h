@@ -13,10 +13,10 @@
 namespace stemware::pipeline
 {
 
-/// Returns the compliances of foot and disc (std::nullopt on a rigid substrate) of a study in the expected
-/// contact zone, for an Explorer. For a similar foot,
-/// @p ratio times as large, the disc is made smaller by this ratio, because Explorer scales both. Throws
-/// BadInput for studies that an Explorer does not support: solid body, drawn profile, waviness, files.
+/// Returns the compliances of foot and disc (std::nullopt on a rigid substrate) in the expected contact zone
+/// of a study, for an Explorer. For a foot that is @p ratio times as large, the disc is made smaller by this
+/// ratio, because Explorer scales both. Throws BadInput for studies that an Explorer does not support: solid
+/// body, drawn profile, waviness, files.
 std::pair<fem::ContactCompliance, std::optional<fem::ContactCompliance>>
 live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache, double ratio = 1);
 

@@ -19,7 +19,8 @@ constexpr double close_mesh_band = 2e-5;
 /// Answer to a study for the live page.
 struct LiveAnswer
 {
-  /// True if `stemware run` generates a mesh other than that of the compliances; the answer then has a band.
+  /// True if `stemware run` generates another mesh than the mesh of the compliances; the answer then has a
+  /// band.
   bool mesh_differs = false;
   ring::Answer full;                      ///< all harmonics
   std::optional<ring::Answer> truncated;  ///< first n harmonics only, if n is given

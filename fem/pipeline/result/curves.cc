@@ -2,7 +2,6 @@
 
 #include "ring_model/load/constants.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace stemware::pipeline

@@ -20,8 +20,9 @@ inline constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max(
 /// point.
 std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points = all_points);
 
-/// Returns a function that reads @p values at a point; NaN if @p values is empty.
+/// Returns a function that reads @p values at a point; NaN if @p values is empty. @p values must outlive it.
 std::function<double(std::size_t)> values_in(const std::vector<double> &values);
+std::function<double(std::size_t)> values_in(std::vector<double> &&values) = delete;
 
 /// Returns torques of friction, lean and grip, and the friction force, over the spin.
 Fields<std::size_t> torque_columns(const TorqueCurve &curve);

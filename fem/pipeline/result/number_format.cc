@@ -24,7 +24,7 @@ std::string number(double value, const std::string &digits)
   {
     if (!(value > 0))
       return std::isnan(value) ? missing : "0";
-    const double unit = std::pow(10., std::floor(std::log10(value)) - 1); // of the second digit
+    const double unit = std::pow(10., std::floor(std::log10(value)) - 1); // place value of the second digit
     return number(std::ceil(value / unit * (1 - 1e-9)) * unit, ".1e");
   }
   if (!digits.empty() && digits.back() == '%')

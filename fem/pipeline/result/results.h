@@ -36,7 +36,7 @@ struct Results
   std::vector<std::variant<std::string, Table>> console = {};
   std::vector<fem::FieldFile> fields = {}; ///< files of fields/ written by this rank
 
-  /// Adds a table to the page, with Face::picture the numbers of a picture, with six digits.
+  /// Adds a table to the page; with Face::picture, the numbers of a picture, rounded to six digits.
   void add_table(const std::string &name, const Table &table, Face face = Face::page);
 };
 

@@ -1,5 +1,4 @@
 #include "fem/pipeline/result/common_sections.h"
-#include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_file.h"
 
 #include <algorithm>

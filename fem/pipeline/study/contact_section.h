@@ -14,7 +14,7 @@ namespace stemware::pipeline
 
 enum class BodyKind
 {
-  solid,     ///< three-dimensional finite elements, of any mesh; all MPI ranks solve it together
+  solid,     ///< three-dimensional finite elements, any mesh; all MPI ranks solve together
   revolution ///< displacement harmonics on a meridional mesh; rim and table may be wavy, the table elastic
 };
 
