@@ -160,7 +160,7 @@ std::vector<std::pair<fs::path, std::string>> cookbook_parts(const std::string &
     const fs::path read = name_of_file;
     require_regular_file("The file " + read.string() + " of the cookbook " + name, read);
     boost::replace_all(text, read.lexically_relative(folder).string(), read.filename().string());
-    parts.push_back({ file.parent_path() / read.filename(), read_text_file(read) });
+    parts.emplace_back(file.parent_path() / read.filename(), read_text_file(read));
   }
   return parts;
 }

@@ -124,7 +124,7 @@ void read_json(const std::string &file, const std::string &text, const std::vect
              FMT_STRING("{}: \"{}\" is not an object of entries; write {{\"{}\": {{\"Entry\": value}}}}."),
              file, shortened(section), shortened(section)));
     for (const auto &[name, value] : values.items())
-      assign(entries, file + ": ", section + '/' + name,
+      assign(entries, file + ": ", fmt::format(FMT_STRING("{}/{}"), section, name),
              value.is_string() ? value.get<std::string>() : value.dump());
   }
 }
@@ -271,7 +271,8 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
       ensure(equal_sign != std::string::npos,
              where + "a line that begins with set has no = ; write set ENTRY = VALUE.");
       const std::string name = boost::trim_copy(rest.substr(0, equal_sign)),
-                        path = section.empty() ? full_path(entries, name) : section + '/' + name;
+                        path = section.empty() ? full_path(entries, name)
+                                               : fmt::format(FMT_STRING("{}/{}"), section, name);
       const auto [before, is_first] = line_of.emplace(path, number);
       ensure(is_first, fmt::format(FMT_STRING("{}{} is set a second time, after line {}; leave one of them."),
                                    where, path, before->second));
@@ -279,7 +280,8 @@ void read_prm(const std::string &file, const std::string &text, const std::vecto
     }
     else if (boost::iequals(line, "end"))
     {
-      ensure(!section.empty(), where + "an \"end\" has no \"subsection\" above it; " + one_end);
+      ensure(!section.empty(),
+             fmt::format(FMT_STRING("{}an \"end\" has no \"subsection\" above it; {}"), where, one_end));
       section.clear();
     }
     else
