@@ -33,6 +33,8 @@ void require_success(bool is_done, const cholmod_common &common)
     throw std::runtime_error("CHOLMOD failed with status " + std::to_string(common.status) + ".");
 }
 
+} // namespace
+
 /// Factors L L' of symmetric positive definite matrices of equal pattern, by CHOLMOD. Functions throw
 /// std::runtime_error if CHOLMOD fails, std::bad_alloc without memory.
 class CholmodFactors
@@ -108,8 +110,6 @@ private:
   cholmod_common common;
   cholmod_factor *factor = nullptr;
 };
-
-} // namespace
 
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix)
 {
