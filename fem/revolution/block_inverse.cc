@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cholmod.h>
 #include <mutex>
+#include <new>
 #include <stdexcept>
 #include <string>
 
