@@ -136,18 +136,16 @@ TerminalSpin long_time_spin(const PhasedTorqueFunction &torque, double yaw_inert
       const std::vector<YawSample> samples =
         gripped_motion(state, torque, yaw_inertia, times, accuracy / 10., spin_scale, grip);
       state = samples.back();
-      spin.omega = smooth_mean(samples);
+      spin.omega = spin.evaluated_at = smooth_mean(samples);
       spin.ripple = half_range(samples);
       spin.uncertainty = std::abs(spin.omega - before.value_or(spin.omega));
       if (before && spin.uncertainty <= accuracy * spin_scale)
-        spin.evaluated_at = spin.omega;
-      return spin;
+        return spin;
       before = spin.omega;
     }
   }
   if (spin.uncertainty <= largest_uncertainty * spin_scale)
-    spin.evaluated_at = spin.omega;
-  return spin;
+    return spin;
   throw NoBalance(sentence("the mean spin does not settle: windows of ", window / 2., " s still differ by ",
                            spin.uncertainty, " rad/s around ", spin.omega, " rad/s"));
 }
