@@ -20,7 +20,7 @@ enum class VariantKind
   parameter  ///< one numerical parameter changed (refinement or error band)
 };
 
-/// Part of the study's solution that a variant uses again.
+/// Part of the study's solution that a variant uses again, in ascending order.
 enum class Shared
 {
   nothing, ///< own foot

@@ -1,4 +1,4 @@
-// Formats of numbers and texts. Digits are written as in summary.schema.json: ".6g", "+.3g%", "1e3*.4g", "band".
+// Formats of numbers and texts. Digits are written as in summary.schema.json: ".6g", "+.3g%", "band".
 export const missing = '–';
 
 const raised = n => String(n).replace(/[-\d]/g, c => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'['-0123456789'.indexOf(c)]);
@@ -24,10 +24,8 @@ export function shown(value, digits = '.6g') {
   if (typeof value === 'string') return cell(value);
   if (Number.isInteger(value) && digits === '.6g' && Math.abs(value) < 1e6) return true_minus(String(value));
   if (digits === 'band') return value > 0 ? shown(rounded_up(value), '.1e') : '0';
-  if (digits === 'about') return 'about ' + general(Number(value.toPrecision(2)), 12);
-  if (digits === 'short') return true_minus(general(Number(value.toPrecision(3)), 12));
-  const [, factor, sign, whole, n, kind, percent] = /^(?:([\d.e]+)\*)?(\+?)(#?)\.?(\d*)([gef])(%?)$/.exec(digits);
-  const x = value * Number(factor || 1) * (percent ? 100 : 1);
+  const [, sign, whole, n, kind, percent] = /^(\+?)(#?)\.?(\d*)([gef])(%?)$/.exec(digits);
+  const x = value * (percent ? 100 : 1);
   const places = Number(n || 6);
   if (x === 0 && !whole) return percent ? '0 %' : '0';
   const text = kind === 'g' ? general(x, places, whole) : kind === 'e' ? x.toExponential(places) : x.toFixed(places);
