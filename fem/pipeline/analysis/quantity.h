@@ -133,7 +133,10 @@ Json schema_of(const Json &part = Json::object())
     return type;
   }
   else
+  {
+    static_assert(std::is_class_v<Value>);
     return part;
+  }
 }
 
 /// Returns the JSON Schema of an object with the members @p quantities.

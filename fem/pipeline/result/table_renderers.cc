@@ -47,8 +47,9 @@ struct LaidOutColumn
                                                   [](const auto &cell) { return cell.is_string(); });
     for (std::string &line : lines)
     {
-      const std::string blanks(width - margin - display_width(line), ' ');
-      line = std::string(margin, ' ') + (is_text ? line + blanks : blanks + line);
+      const std::size_t n_blanks = width - margin - display_width(line);
+      line.insert(0, margin + (is_text ? 0 : n_blanks), ' ');
+      line.append(is_text ? n_blanks : 0, ' ');
     }
   }
 
