@@ -2,6 +2,7 @@
 
 #include "fem/pipeline/analysis/model_variants.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -16,19 +17,35 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-void add_row(const ChainStep &step, const std::string &name, const LoadedRow &solved,
-             std::vector<BudgetRow> &rows)
+/// Returns the band of the terminal spin of @p row, a model with a contact.
+std::optional<double> band_in(const StudyRows &all, const ring::Answer &row, const SpinBands &bands)
+{
+  const auto difference_to = [&](const std::optional<double> &omega)
+  { return omega ? std::optional(std::abs(row.terminal->omega - *omega)) : std::nullopt; };
+  const std::optional<double> to_all = difference_to(all.answer().omega_terminal());
+  return to_all ? model_band(*to_all, difference_to(all.omega_first_harmonic()), bands) : std::nullopt;
+}
+
+/// Returns the row of @p solved below @p above, the rows so far. @p is_complete: the study itself.
+BudgetRow row_below(const std::vector<BudgetRow> &above, const ChainStep &step, const std::string &name,
+                    const LoadedRow &solved, bool is_complete, const std::optional<double> &band)
 {
   const ring::Answer &row = solved.row;
-  BudgetRow added = { step, name, row.harmonics, row.omega_terminal() };
-  if (!rows.empty() && added.omega_terminal && rows.back().omega_terminal)
-    added.difference = *added.omega_terminal - *rows.back().omega_terminal + 0.; // + 0. avoids -0
+  const Study &study = solved.variant.study;
+  BudgetRow added = { step, name, {}, row.omega_terminal(), {}, band };
+  if (!is_complete)
+    added.harmonics = row.harmonics;
+  if (!above.empty() && added.omega_terminal && above.back().omega_terminal)
+    added.difference = *added.omega_terminal - *above.back().omega_terminal + 0.; // + 0. avoids -0
   for (std::size_t i = 0; i < solved.torques.size(); ++i)
     added.torques.at(i) = unless_nan(solved.torques[i].friction.torque);
   added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
-  added.reason =
-    row.reason.empty() ? grip_holds_note(solved.variant.study.motion.grip_torque, row) : row.reason;
-  rows.push_back(added);
+  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
+  // pressure is not negative, so the status `formal` (tensile load) does not apply.
+  if (is_complete && study.load.is_from_contact() && added.status == ring::Status::formal)
+    added.status = ring::Status::lift_off;
+  added.reason = row.reason.empty() ? grip_holds_note(study.motion.grip_torque, row) : row.reason;
+  return added;
 }
 
 WithoutRow judge_without(const LoadedRow &solved, const ring::Answer &complete)
@@ -98,36 +115,46 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
   return variants;
 }
 
-std::vector<BudgetRow> assess_chain(const StudyRows &solved)
+std::optional<double> model_band(double to_all, const std::optional<double> &to_first, const SpinBands &bands)
+{
+  if (!bands.all)
+    return std::nullopt;
+  const double from_all = *bands.all + to_all;
+  if (bands.first && to_first)
+    return std::min({ std::max(*bands.all, *bands.first), from_all, *bands.first + *to_first });
+  return to_all <= *bands.all ? std::optional(from_all) : std::nullopt;
+}
+
+std::vector<BudgetRow> assess_chain(const StudyRows &solved, const SpinBands &bands)
 {
   const std::vector<LoadedRow> &by_harmonics = solved.by_harmonics;
   const Variant &own = by_harmonics.back().variant;
   std::vector<BudgetRow> rows;
+  const auto add = [&](const ChainStep &step, const std::string &name, const LoadedRow &row, bool is_complete)
+  {
+    const bool has_band = step.is_of_contact() && row.row.terminal;
+    rows.push_back(row_below(rows, step, name, row, is_complete,
+                             has_band ? band_in(solved, row.row, bands) : std::nullopt));
+  };
   for (const LoadedRow &other : solved.others)
     if (other.variant.is_of_chain())
-      add_row(other.variant.step, other.variant.name, other, rows);
+      add(other.variant.step, other.variant.name, other, false);
   if (own.study.load.source == LoadSource::first_harmonic)
     return rows;
   const LoadedRow &first = by_harmonics.front();
-  add_row({ 3, own.study.tilts() }, own.study.tilts() ? "tilt" : "where the foot touches", first, rows);
+  add({ 3, own.study.tilts() }, own.study.tilts() ? "tilt" : "where the foot touches", first, false);
+  // In a load file with a single harmonic, the last row equals the first.
+  const std::size_t last = by_harmonics.size() - 1;
   ChainStep step = { 4 };
-  for (std::size_t i = 1; i < by_harmonics.size(); ++i)
+  for (std::size_t i = std::min<std::size_t>(1, last); i <= last; ++i)
   {
-    add_row(step, "harmonics", by_harmonics[i], rows);
+    add(step, "harmonics", by_harmonics[i], i == last);
     ++step.number;
   }
-  if (by_harmonics.size() == 1) // in a load file with a single harmonic, the last row equals the first
-    add_row(step, "harmonics", first, rows);
-  BudgetRow &all = rows.back();
-  all.harmonics.reset();
-  // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
-  // pressure is not negative, so the status `formal` (tensile load) does not apply.
-  if (own.study.load.is_from_contact() && all.status == ring::Status::formal)
-    all.status = ring::Status::lift_off;
   return rows;
 }
 
-Budget find_budget(const StudyRows &rows)
+Budget find_budget(const StudyRows &rows, const SpinBands &bands)
 {
   const auto &[variant, all, load, torques] = rows.by_harmonics.back();
   Budget budget;
@@ -136,9 +163,7 @@ Budget find_budget(const StudyRows &rows)
     if (solved.variant.kind == VariantKind::without)
       budget.without.push_back(judge_without(solved, all));
   budget.inputs = judge_inputs(variant.study.rounding_of_spins(), rows.others);
-  budget.rows = assess_chain(rows);
-  budget.harmonics = harmonic_effect(rows.by_harmonics.front().row.omega_terminal(), all.omega_terminal(),
-                                     variant.study.spin_scale());
+  budget.rows = assess_chain(rows, bands);
   return budget;
 }
 

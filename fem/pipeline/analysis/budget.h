@@ -21,7 +21,7 @@ struct BudgetRow
   std::optional<unsigned int> harmonics = {}; ///< harmonics that act on the ring; std::nullopt: all
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< change of the terminal spin from the row above [rad/s]
-  std::optional<double> band = {};            ///< half-width for the terminal spin, add_bands() [rad/s]
+  std::optional<double> band = {};            ///< half-width for the terminal spin, model_band() [rad/s]
   std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
   ring::Status status = ring::Status::no_balance;    ///< `formal` if lambda < 0 somewhere
   std::string reason = {};                           ///< cause of missing values, or empty
@@ -54,8 +54,6 @@ struct Budget
   std::vector<WithoutRow> without;
   /// Name of each input_variants() with an effect, and its change of the terminal spin [rad/s].
   std::vector<std::pair<std::string, double>> inputs;
-  HarmonicEffect harmonics;
-
   /// Spins of BudgetRow::torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> shown_spins = {};
 };
@@ -74,10 +72,25 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 /// find_budget(). @p depends_on_phase: true if the load does.
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
-/// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics.
-std::vector<BudgetRow> assess_chain(const StudyRows &rows);
+/// Half-widths of the error bands of the terminal spins of all harmonics and of the first [rad/s].
+struct SpinBands
+{
+  std::optional<double> all = {}, first = {};
+};
+
+/// Returns the half-width of the error band of a terminal spin, from the differences @p to_all and @p
+/// to_first (if known) to the terminal spins of all harmonics and of the first [rad/s]. It is the wider of
+/// their @p bands, but at most either band plus the difference: discretisation changes small differences only
+/// by a fraction. Without a band of the first harmonic, only a spin closer to all harmonics than their band
+/// has a band; without a band of all harmonics, none has.
+std::optional<double> model_band(double to_all, const std::optional<double> &to_first,
+                                 const SpinBands &bands);
+
+/// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics. Rows with
+/// a contact have the model_band() of @p bands.
+std::vector<BudgetRow> assess_chain(const StudyRows &rows, const SpinBands &bands = {});
 
 /// Returns the budget from @p rows, rows_by_harmonics() with budget_variants(); failed rows have a reason.
-Budget find_budget(const StudyRows &rows);
+Budget find_budget(const StudyRows &rows, const SpinBands &bands = {});
 
 } // namespace stemware::pipeline

@@ -406,35 +406,13 @@ ErrorBands estimate_bands(const Analysis &analysis, const ring::Answer &all,
   return {};
 }
 
-std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget)
+std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const StudyRows &rows)
 {
   std::vector<QuantityOfInterest> reported = load_quantities(at_rest);
-  if (const std::optional<double> &at_half = budget.rows.back().torques[1])
-    reported.push_back({ "tau_at_spin_1", "", "N m", *at_half });
+  const std::vector<ring::Torques> &torques = rows.by_harmonics.back().torques;
+  if (torques.size() > 1 && std::isfinite(torques[1].friction.torque))
+    reported.push_back({ "tau_at_spin_1", "", "N m", torques[1].friction.torque });
   return reported;
-}
-
-void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
-               std::vector<BudgetRow> &rows)
-{
-  if (!of_all || rows.empty() || !rows.back().omega_terminal)
-    return;
-  const double all = *rows.back().omega_terminal;
-  const auto first =
-    std::find_if(rows.rbegin(), rows.rend(), [](const BudgetRow &row) { return row.step.number == 3; });
-  const bool has_first = of_first && first != rows.rend() && first->omega_terminal;
-  const double spin_of_first = has_first ? *first->omega_terminal : 0;
-  for (BudgetRow &row : rows)
-  {
-    if (!row.step.is_of_contact() || !row.omega_terminal)
-      continue;
-    const double from_all = *of_all + std::abs(*row.omega_terminal - all);
-    if (has_first)
-      row.band = std::min({ std::max(*of_all, *of_first), from_all,
-                            *of_first + std::abs(*row.omega_terminal - spin_of_first) });
-    else if (from_all <= 2 * *of_all)
-      row.band = from_all;
-  }
 }
 
 } // namespace stemware::pipeline

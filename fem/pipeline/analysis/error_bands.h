@@ -1,8 +1,8 @@
 #pragma once
 
-#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 #include "fem/pipeline/analysis/solve.h"
+#include "fem/pipeline/analysis/study_rows.h"
 #include "ring_model/spin/answer.h"
 
 #include <optional>
@@ -28,14 +28,7 @@ ErrorBands estimate_bands(const Analysis &analysis, const ring::Answer &all,
                           const std::vector<QuantityOfInterest> &reported = {});
 
 /// Returns the quantities whose values the results of a study state: of the load @p at_rest, and the torque
-/// at half the terminal spin in the last row of @p budget.
-std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const Budget &budget);
-
-/// Sets the band of each row with a terminal spin from the contact, from the bands @p of_all harmonics (last
-/// row) and @p of_first harmonic [rad/s]. A row has the wider of the two bands, but at most either band plus
-/// the difference from the spin of its row: discretisation changes small differences only by a fraction.
-/// Without @p of_first, only rows closer to the last row than its band get a band; without @p of_all, no row.
-void add_bands(const std::optional<double> &of_all, const std::optional<double> &of_first,
-               std::vector<BudgetRow> &rows);
+/// at half the terminal spin in the last of the @p rows by harmonics.
+std::vector<QuantityOfInterest> reported_quantities(const LoadReport &at_rest, const StudyRows &rows);
 
 } // namespace stemware::pipeline

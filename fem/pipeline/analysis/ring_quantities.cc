@@ -191,22 +191,22 @@ const Fields<LoadReport> &load_fields()
   return fields;
 }
 
-std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
-                                       const ring::TorqueEffects &effects, double scale)
+std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
+                                       double scale)
 {
   std::vector<Truncation> list;
   for (const ring::TorqueEffect &effect : effects.rows)
   {
     Truncation &row = list.emplace_back(Truncation{ {}, effect, effects.torque_at_rest, {} });
     row.answer.harmonics = effect.harmonics;
-    for (const ring::Answer &answer : rows)
-      if (answer.harmonics == effect.harmonics)
+    for (const LoadedRow &solved : rows.by_harmonics)
+      if (solved.row.harmonics == effect.harmonics)
       {
-        row.answer = answer;
+        row.answer = solved.row;
         break;
       }
     row.spin_change =
-      harmonic_effect(rows.front().omega_terminal(), row.answer.omega_terminal(), scale).relative;
+      harmonic_effect(rows.omega_first_harmonic(), row.answer.omega_terminal(), scale).relative;
   }
   return list;
 }

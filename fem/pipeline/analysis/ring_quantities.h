@@ -45,8 +45,8 @@ struct Truncation
 };
 
 /// Returns the rows of @p effects with the answers @p rows. @p scale: Study::spin_scale().
-std::vector<Truncation> truncations_of(const std::vector<ring::Answer> &rows,
-                                       const ring::TorqueEffects &effects, double scale);
+std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
+                                       double scale);
 
 /// Returns the @p rows whose neglected harmonics change tau_z by more than 1e-9 of the torque at rest, and
 /// the last row; values below rounding become 0.

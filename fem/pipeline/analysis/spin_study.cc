@@ -157,13 +157,13 @@ std::pair<std::vector<double>, ring::Load> curve_load(const std::vector<LoadedRo
 }
 
 StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const std::pair<std::vector<double>, ring::Load> &of_all, const Executor &executor,
-                        double euler_step, const ring::TimeObserver &observer)
+                        const std::pair<std::vector<double>, ring::Load> &of_all,
+                        const std::vector<double> &times, const Executor &executor, double euler_step,
+                        const ring::TimeObserver &observer)
 {
   const Variant &own = rows.back().variant;
   const std::vector<double> &spins = of_all.first;
   const ring::Load &load_of_all = of_all.second;
-  const std::vector<double> times = ring::output_times(own.study.motion.end_time);
   const ring::Question question = spin_question(own.study);
   StudyCurves curves;
   SpinUpCurves &up = curves.spin_up;
@@ -245,16 +245,14 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
       break;
   }
   const ring::TimeObserver observer = motion_observer(executor.progress);
-  SpinStudy result = { find_curves(solved.by_harmonics, solved.others.front(), curve, executor,
-                                   study.motion.euler_step, observer) };
+  SpinStudy result = { find_curves(solved.by_harmonics, solved.others.front(), curve,
+                                   ring::output_times(study.motion.end_time), executor,
+                                   study.motion.euler_step, observer),
+                       solved };
   // With a solid foot, each torque evaluation takes minutes, so no further terminal spins are searched for.
   const bool is_slow = study.load.is_in_balance() && study.is_collective();
-  if (depth == Depth::full)
-    result.budget = find_budget(solved);
   if (!is_slow)
-    result.terminal_spins = ring::terminal_spins(load, spin_question(study), solved.by_harmonics.back().row);
-  for (const LoadedRow &row : solved.by_harmonics)
-    result.rows.push_back(row.row);
+    result.terminal_spins = ring::terminal_spins(load, spin_question(study), solved.answer());
   if (load.phases())
     result.phases = study_phases(foot, load, result.answer());
   for (const LoadedRow &other : solved.others)
@@ -262,12 +260,11 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
       result.one_ring = compared_with_full(other.row, result.answer());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.second);
+  result.harmonics =
+    harmonic_effect(solved.omega_first_harmonic(), solved.answer().omega_terminal(), study.spin_scale());
   result.curve_error = curve.second.interpolation_error();
   result.spin_up.driven =
     driven_spin_up(study.motion, study.glass.profile.contact_radius, foot, result.spin_up.time, observer);
-  if (depth != Depth::full)
-    result.budget.harmonics = harmonic_effect(result.rows.front().omega_terminal(),
-                                              result.answer().omega_terminal(), study.spin_scale());
   return result;
 }
 

@@ -72,10 +72,10 @@ struct StudyCurves
 /// Spin results of a study, with the curves of the first and of all harmonics.
 struct SpinStudy : StudyCurves
 {
-  std::vector<ring::Answer> rows = {}; ///< rows_by_harmonics(), all harmonics last
+  StudyRows rows = {}; ///< rows_by_harmonics() and, with Depth::full, the other models of the budget
   /// All harmonics on one ring; std::nullopt if the study has one ring.
   std::optional<ring::Answer> one_ring = {};
-  Budget budget = {};                      ///< without rows for Depth::answer
+  HarmonicEffect harmonics = {};
   ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
   /// ring::terminal_spins() of the last row; empty with waviness, or for a solid body balanced at every spin.
   std::vector<ring::TerminalSpin> terminal_spins = {};
@@ -84,9 +84,7 @@ struct SpinStudy : StudyCurves
   std::optional<double> curve_error = {};
 
   /// Returns the answer with all harmonics.
-  const ring::Answer &answer() const { return rows.back(); }
-  /// Returns true for Depth::answer: answer and curves only.
-  bool is_quick() const { return budget.rows.empty(); }
+  const ring::Answer &answer() const { return rows.answer(); }
 };
 
 /// Returns the half-width of the band of the last spin of SpinUpCurves::driven: integration error plus the
@@ -99,12 +97,13 @@ std::optional<double> driven_band(const SpinStudy &spin, const std::optional<dou
 std::pair<std::vector<double>, ring::Load> curve_load(const std::vector<LoadedRow> &rows);
 
 /// Returns the curves of the first and the last of @p rows, rows_by_harmonics(), and of the @p paper's model,
-/// at the spins of @p of_all, curve_load(), and over the time of the study. @p euler_step: longest Euler step
-/// [s], 0: none; @p observer: of the spin-up of all harmonics. Throws if the balance of all harmonics is
-/// lost.
+/// at the spins of @p of_all, curve_load(), and at the ascending @p times from 0 on [s]. @p euler_step:
+/// longest Euler step [s], 0: none; @p observer: of the spin-up of all harmonics. Throws if the balance of
+/// all harmonics is lost.
 StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &paper,
-                        const std::pair<std::vector<double>, ring::Load> &of_all, const Executor &executor,
-                        double euler_step = 0, const ring::TimeObserver &observer = {});
+                        const std::pair<std::vector<double>, ring::Load> &of_all,
+                        const std::vector<double> &times, const Executor &executor, double euler_step = 0,
+                        const ring::TimeObserver &observer = {});
 
 /// Solves a study: all results, or with Depth::answer the answer, its curves and the effect of the harmonics.
 /// @p load: find_load() of the analysed study. If the glass tips during the spin-up, the last row has a

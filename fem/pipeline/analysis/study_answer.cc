@@ -87,7 +87,7 @@ const Fields<StudyAnswer> &study_quantities()
   };
   static const auto fields = Fields<Found>{
     { "omega_first_harmonic", "rad/s", "",
-      [](const Found &found) { return found.spin.rows.front().omega_terminal(); },
+      [](const Found &found) { return found.spin.rows.omega_first_harmonic(); },
       in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
     { "omega_on_ring", "rad/s", "",
       [](const Found &found)
@@ -104,10 +104,9 @@ const Fields<StudyAnswer> &study_quantities()
                              found.study.glass.profile.contact_radius);
       },
       in_column("terminal spin, the paper's model") },
-    { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.budget.harmonics.absolute; },
+    { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.harmonics.absolute; },
       in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
-    { "harmonic_effect_relative", "1", "",
-      [](const Found &found) { return found.spin.budget.harmonics.relative; },
+    { "harmonic_effect_relative", "1", "", [](const Found &found) { return found.spin.harmonics.relative; },
       in_column("relative effect of the higher harmonics") },
     { "torque_change_half", "N m", "", torque_change(&ring::TorqueEffect::half, false),
       in_column("effect of the higher harmonics on the torque of friction at half the terminal spin") },
@@ -170,35 +169,46 @@ const Fields<StudyAnswer> &study_quantities()
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, bool with_fields,
                          std::shared_ptr<ElasticFoot> *start)
 {
-  Progress &progress = executor.progress;
   const GoalOutcome mesh = mesh_for_goal(study, executor);
   const std::shared_ptr<ElasticFoot> foot =
     announced_foot({ study, mesh.discretisation }, executor, start ? start->get() : nullptr);
-  const Analysis analysis = { study, foot, executor };
-  const BalancedLoad load = find_load(study, foot, progress);
-  StudyAnswer answer = { study, mesh.n_meshes > 0 ? std::optional(mesh) : std::nullopt };
-  answer.spin = study_spin(analysis, load, depth);
-  progress.stage_done("ring");
-  answer.contact = describe(foot, load, answer.spin.answer().last_spin().value());
-  progress.stage_done("report_of_contact");
-
-  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone(study) : nullptr;
-  const auto find = [&](std::size_t i)
-  {
-    if (i == 0 && of_fields && answer.contact.foot)
-      add_fields(*of_fields, *answer.contact.foot);
-    if (i == 1)
-      answer.bands = estimate_bands(analysis, answer.spin.answer(), answer.spin.rows.front().omega_terminal(),
-                                    reported_quantities(answer.contact.load, answer.spin.budget));
-  };
-  executor.for_each(depth == Depth::full ? 2 : 1, find, study.is_collective());
-  if (depth == Depth::full)
-    add_bands(band_of(answer.bands, "omega_terminal"), band_of(answer.bands, "omega_first_harmonic"),
-              answer.spin.budget.rows);
-  progress.stage_done("bands_and_fields");
+  StudyAnswer answer = answer_study({ study, foot, executor }, depth, with_fields,
+                                    mesh.n_meshes > 0 ? std::optional(mesh) : std::nullopt);
   if (start)
     *start = foot;
   return answer;
+}
+
+StudyAnswer answer_study(const Analysis &analysis, Depth depth, bool with_fields,
+                         const std::optional<GoalOutcome> &goal)
+{
+  const auto &[study, foot, executor] = analysis;
+  Progress &progress = executor.progress;
+  const BalancedLoad load = find_load(study, foot, progress);
+  SpinStudy spin = study_spin(analysis, load, depth);
+  progress.stage_done("ring");
+  ContactReport contact = describe(foot, load, spin.answer().last_spin().value());
+  progress.stage_done("report_of_contact");
+
+  FieldReport fields;
+  ErrorBands bands;
+  const std::shared_ptr<const ElasticFoot> of_fields = foot && with_fields ? foot->clone(study) : nullptr;
+  const auto find = [&](std::size_t i)
+  {
+    if (i == 0 && of_fields && contact.foot)
+      fields = find_fields(*of_fields, *contact.foot);
+    if (i == 1)
+      bands = estimate_bands(analysis, spin.answer(), spin.rows.omega_first_harmonic(),
+                             reported_quantities(contact.load, spin.rows));
+  };
+  const bool is_full = depth == Depth::full;
+  executor.for_each(is_full ? 2 : 1, find, study.is_collective());
+  progress.stage_done("bands_and_fields");
+  const SpinBands of_spins = { band_of(bands, "omega_terminal"), band_of(bands, "omega_first_harmonic") };
+  std::optional<Budget> budget = is_full ? std::optional(find_budget(spin.rows, of_spins)) : std::nullopt;
+  return {
+    study, goal, std::move(contact), std::move(spin), std::move(bands), std::move(budget), std::move(fields)
+  };
 }
 
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor)

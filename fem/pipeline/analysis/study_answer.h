@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
 #include "fem/pipeline/analysis/refinement_study.h"
@@ -21,13 +22,19 @@ struct StudyAnswer
   std::optional<GoalOutcome> goal = {};
   ContactReport contact = {};
   SpinStudy spin = {};
-  ErrorBands bands = {}; ///< empty with Depth::answer
+  ErrorBands bands = {};             ///< empty with Depth::answer
+  std::optional<Budget> budget = {}; ///< std::nullopt with Depth::answer
+  FieldReport fields = {};
 };
 
 /// Answers the checked @p study. @p with_fields: also fields and stressed section; @p start as in
 /// case_result(). Collective if the body is. Throws BadInput, fem::ContactFailure, ring::NoBalance.
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, bool with_fields,
                          std::shared_ptr<ElasticFoot> *start = nullptr);
+
+/// Answers the study of @p analysis, on the mesh of @p goal if it has one; otherwise as above.
+StudyAnswer answer_study(const Analysis &analysis, Depth depth, bool with_fields = false,
+                         const std::optional<GoalOutcome> &goal = {});
 
 /// Returns the quantities of a study: with a description, in "ring" of summary.json; with a description of
 /// the column, columns of sweep.csv in this order; with a heading, in the table of ranges of a sweep.

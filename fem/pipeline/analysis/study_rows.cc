@@ -97,7 +97,11 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     // Variants with loads of their own are solved in parallel, where the observer must not be called.
     if (variant.shared != Shared::load)
       question.observer = {};
-    LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
+    const bool has_curves = variant.shared == Shared::load ||
+                            (variant.kind == VariantKind::harmonics && variant.n_harmonics == 1) ||
+                            (variant.kind == VariantKind::chain && !variant.step.is_of_contact());
+    LoadedRow row =
+      loaded_row(variant, ring::answer(load, question), has_curves ? std::optional(load) : std::nullopt);
     std::string reason;
     if (variant.is_of_chain())
       row.torques = ring::torque_curve(load, question, torque_spins, &reason);

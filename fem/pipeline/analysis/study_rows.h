@@ -12,22 +12,29 @@
 namespace stemware::pipeline
 {
 
-/// Solved variant, with its load and torques.
+/// Solved variant, with its torques.
 struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  std::optional<ring::Load> load = {};     ///< std::nullopt if the load failed (Answer::reason)
+  /// Load of a row with curves: the study, its first harmonic, models without a contact. std::nullopt for
+  /// other rows, whose contacts would take memory, and if the load failed (Answer::reason).
+  std::optional<ring::Load> load = {};
   std::vector<ring::Torques> torques = {}; ///< at StudyRows::torque_spins, for rows of the chain
 };
 
 /// Answers of one study.
 struct StudyRows
 {
-  std::vector<LoadedRow> by_harmonics; ///< all harmonics, the study itself, last
+  std::vector<LoadedRow> by_harmonics; ///< first harmonic first; all harmonics, the study itself, last
   std::vector<LoadedRow> others;       ///< further variants
   /// Spins of the torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
   std::vector<double> torque_spins = {};
+
+  /// Returns the answer with all harmonics.
+  const ring::Answer &answer() const { return by_harmonics.back().row; }
+  /// Returns the terminal spin with the first harmonic only [rad/s].
+  std::optional<double> omega_first_harmonic() const { return by_harmonics.front().row.omega_terminal(); }
 };
 
 /// Returns a sentence if the fingers hold the glass of @p row at rest, else an empty string. @p grip_torque:

@@ -101,10 +101,9 @@ CaseResult case_result(const Analysis &analysis)
   const BalancedLoad load = find_load(study, foot, executor.progress);
   StudyAnswer answer = { study };
   SpinStudy &spin = answer.spin;
-  for (const LoadedRow &row : rows_by_harmonics(analysis, load, Depth::answer).by_harmonics)
-    spin.rows.push_back(row.row);
-  spin.budget.harmonics =
-    harmonic_effect(spin.rows.front().omega_terminal(), spin.answer().omega_terminal(), study.spin_scale());
+  spin.rows = rows_by_harmonics(analysis, load, Depth::answer);
+  spin.harmonics =
+    harmonic_effect(spin.rows.omega_first_harmonic(), spin.answer().omega_terminal(), study.spin_scale());
   spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.answer(), { load.n_harmonics() });
   answer.contact.load = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);

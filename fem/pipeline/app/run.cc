@@ -26,8 +26,7 @@ void run(const RunOptions &options)
   StudyAnswer answer = answer_study(work.study, depth, work.executor, true);
   // Only the first rank has the load and the results. Each rank has the fields of its own cells.
   Results results = is_first_rank() ? run_results(answer) : Results();
-  if (answer.contact.foot)
-    results.fields = std::move(answer.contact.foot->fields);
+  results.fields = std::move(answer.fields.files);
   publish(options, std::move(results), work.folder, work.stopwatch);
 }
 

@@ -43,24 +43,26 @@ FootReport describe_foot(const ElasticFoot &foot, const fem::ContactState &at_re
 
 } // namespace
 
-void add_fields(const ElasticFoot &foot, FootReport &report)
+FieldReport find_fields(const ElasticFoot &foot, const FootReport &report)
 {
+  FieldReport found;
   const bool is_collective = foot.body().capabilities().is_collective;
   // Unless the ranks solve together, all ranks have the same fields, and only the first rank writes them.
   if (is_first_rank() || is_collective)
-    report.fields = foot.body().fields(report.at_rest);
+    found.files = foot.body().fields(report.at_rest);
   if (is_collective || !is_first_rank())
-    return;
+    return found;
   // The section is on the side of the foot away from the centre of the orbit. On a counter-clockwise orbit,
   // the centre is to the left of the direction of travel.
   const double sense = foot.specification().study.motion.orbit.sense_sign();
-  report.stressed_section = foot.body().section(report.at_rest, -sense * ring::pi / 2);
+  found.stressed_section = foot.body().section(report.at_rest, -sense * ring::pi / 2);
   if (report.at_end)
     for (fem::FieldFile file : foot.body().fields(*report.at_end))
     {
       file.name.insert(file.name.find('.'), "_at_terminal_spin");
-      report.fields.push_back(std::move(file));
+      found.files.push_back(std::move(file));
     }
+  return found;
 }
 
 ContactReport describe(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load, double last_spin)

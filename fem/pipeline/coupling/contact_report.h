@@ -21,11 +21,16 @@ struct FootReport
   std::optional<fem::ContactState> at_end = {};
   fem::PressureMap footprint; ///< pressure at rest
   std::optional<fem::PressureMap> footprint_at_end = {};
-  /// Section at rest through the orbit's centre, x > 0 away from the centre; empty if the foot has none.
-  std::vector<fem::StressedPatch> stressed_section = {};
-  std::vector<fem::FieldFile> fields = {}; ///< field files of both states written by this rank
   /// Meridional section of the foot with its cells; on the first rank only.
   std::vector<fem::SectionPolygon> section = {};
+};
+
+/// Fields of a foot.
+struct FieldReport
+{
+  std::vector<fem::FieldFile> files = {}; ///< of both states, written by this rank
+  /// Section at rest through the orbit's centre, x > 0 away from the centre; empty if the foot has none.
+  std::vector<fem::StressedPatch> stressed_section = {};
 };
 
 /// Contact results of a study at rest and at the end of the spin-up (terminal spin or spin of tipping).
@@ -41,11 +46,10 @@ class BalancedLoad;
 class ElasticFoot;
 
 /// Returns the report on @p load, find_load() of @p foot (nullptr without a contact), at rest and at @p
-/// last_spin, the end of the spin-up [rad/s], without the results of add_fields(). May solve the contact at
-/// @p last_spin. Throws as @p load.
+/// last_spin, the end of the spin-up [rad/s]. May solve the contact at @p last_spin. Throws as @p load.
 ContactReport describe(const std::shared_ptr<ElasticFoot> &foot, const BalancedLoad &load, double last_spin);
 
-/// Adds fields and stressed section of both states to @p report. @p foot may be a clone(), on another thread.
-void add_fields(const ElasticFoot &foot, FootReport &report);
+/// Returns the fields of the states in @p report. @p foot: the foot, or a clone() on another thread.
+FieldReport find_fields(const ElasticFoot &foot, const FootReport &report);
 
 } // namespace stemware::pipeline

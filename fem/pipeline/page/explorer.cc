@@ -241,16 +241,16 @@ std::optional<StudyCurves> Explorer::curves()
 {
   if (rows.empty() || !rows.back().row.last_spin())
     return std::nullopt;
-  return find_curves(rows, paper, curve_load(rows), executor());
+  return find_curves(rows, paper, curve_load(rows), ring::output_times(present.motion.end_time), executor());
 }
 
-Budget Explorer::budget()
+std::optional<StudyRows> Explorer::models()
 {
   if (rows.empty())
-    return {};
+    return std::nullopt;
   const Executor solver = executor();
-  return find_budget(rows_by_harmonics({ foot->specification().study, foot, solver }, *rows.back().load,
-                                       Depth::rows, model_chain({ foot->specification() })));
+  return rows_by_harmonics({ foot->specification().study, foot, solver }, *rows.back().load, Depth::rows,
+                           model_chain({ foot->specification() }));
 }
 
 std::vector<double> serialized(const fem::ContactCompliance &compliance)

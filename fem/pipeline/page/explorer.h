@@ -59,8 +59,9 @@ public:
   /// Returns the curves of the last answer; std::nullopt without a spin.
   std::optional<StudyCurves> curves();
 
-  /// Returns the chain of models from the paper's to the last answer's, and the effect of the harmonics.
-  Budget budget();
+  /// Returns the answers by harmonics and of the models from the paper's to the last answer's; std::nullopt
+  /// before the first answer.
+  std::optional<StudyRows> models();
 
   /// Returns the pressure of @p contact, the contact of the last answer.
   fem::PressureMap pressure(const fem::ContactState &contact) const

@@ -113,7 +113,8 @@ Table history_table(const std::vector<fem::ContactIteration> &history)
   }.table(history, Face::file);
 }
 
-void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<ResultFile> &files)
+void add_foot_files(const FootReport &foot, const std::vector<fem::FieldFile> &fields, bool has_terminal_spin,
+                    std::vector<ResultFile> &files)
 {
   files.push_back({ "footprint.csv", "pressure p(r, θ) of the foot on the table at rest",
                     footprint_table(foot.footprint) });
@@ -127,7 +128,7 @@ void add_foot_files(const FootReport &foot, bool has_terminal_spin, std::vector<
     files.push_back({ "fields/" + name, "displacement, strain, stress and contact pressure " +
                                           std::string(state) + ", for ParaView" });
   };
-  for (const fem::FieldFile &file : foot.fields)
+  for (const fem::FieldFile &file : fields)
   {
     if (file.name == "contact.vtu" || file.name == "contact.pvtu") // pieces of contact.pvtu are not listed
       add(file.name, "at rest");
@@ -157,7 +158,7 @@ std::string load_file_text(const ring::RingStack &load)
 
 std::vector<ResultFile> run_files(const StudyAnswer &answer)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   const ring::RingStack &rings = contact.load.rings;
   std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
                                     { "parameters.prm", "the study as input file" },
@@ -168,12 +169,12 @@ std::vector<ResultFile> run_files(const StudyAnswer &answer)
   const auto add = [&](const char *name, const char *words, const Table &table) {
     files.push_back({ name, words, table });
   };
-  if (!spin.is_quick())
+  if (budget)
   {
     add("budget.csv", "the terminal spin from the paper's model to this study's",
-        chain_fields().table(spin.budget.rows, Face::file));
+        chain_fields().table(budget->rows, Face::file));
     add("without.csv", "the complete model without one effect at a time",
-        without_fields().table(spin.budget.without, Face::file));
+        without_fields().table(budget->without, Face::file));
   }
   add("torque.csv", "τ_z, T_x, T_y against the spin",
       torque_columns(spin.torque).table(points_of(spin.torque.omega.size()), Face::file));
@@ -192,7 +193,7 @@ std::vector<ResultFile> run_files(const StudyAnswer &answer)
     add("load_lines.csv", "λ(θ) at rest on the azimuth lines of the contact",
         pointwise_table(contact.load.pointwise));
     if (contact.foot)
-      add_foot_files(*contact.foot, spin.answer().terminal.has_value(), files);
+      add_foot_files(*contact.foot, fields.files, spin.answer().terminal.has_value(), files);
   }
   files.push_back({ "timings.json", "how long it took" });
   return files;

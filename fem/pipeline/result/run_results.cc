@@ -107,7 +107,7 @@ Json section_of(const std::vector<fem::SectionPolygon> &cells, double contact_ra
 /// Adds the table "foot": pressures, stresses, section and, if known, the rim.
 void add_foot_pictures(const StudyAnswer &answer, const FootReport &foot, Results &results)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   constexpr double share_of_radius = 0.12;
   const double radius = study.glass.profile.contact_radius;
   Json &pictures = results.tables["foot"];
@@ -120,8 +120,8 @@ void add_foot_pictures(const StudyAnswer &answer, const FootReport &foot, Result
   if (foot.footprint_at_end)
     pictures["footprint_at_end"] =
       pressure_map(*foot.footprint_at_end, radius, largest, foot.at_end->load.peak_pressure, band);
-  if (!foot.stressed_section.empty())
-    pictures["stresses"] = stresses(foot.stressed_section);
+  if (!fields.stressed_section.empty())
+    pictures["stresses"] = stresses(fields.stressed_section);
   if (foot.section.empty())
     return;
   const double crown = study.contact.mesh_file.empty() ? study.glass.profile.crown_radius : 0;
@@ -185,7 +185,7 @@ Table shown_chain_table(const StudyAnswer &answer, const std::vector<BudgetRow> 
 
 Table without_table(const StudyAnswer &answer, Face face)
 {
-  const Budget &budget = answer.spin.budget;
+  const Budget &budget = answer.budget.value();
   std::vector<WithoutRow> rows = budget.without;
   for (WithoutRow &row : rows)
     drop_rounding(row.difference, answer.study.rounding_of_spins());
@@ -194,7 +194,7 @@ Table without_table(const StudyAnswer &answer, Face face)
 
 void add_spin(const StudyAnswer &answer, Results &results)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
   add_slip("slip_at_rest", motion, radius, contact.load.rings, 0, results);
@@ -216,7 +216,7 @@ void add_spin(const StudyAnswer &answer, Results &results)
 
 void add_budget(const StudyAnswer &answer, Results &results)
 {
-  const Budget &budget = answer.spin.budget;
+  const Budget &budget = answer.budget.value();
   const std::vector<BudgetRow> &rows = budget.rows;
   results.add_table("chain", shown_chain_table(answer, rows, Face::page));
   results.add_table("chain_torques", chain_torque_fields().table(
@@ -228,17 +228,17 @@ void add_budget(const StudyAnswer &answer, Results &results)
 
 std::vector<std::variant<std::string, Table>> console_of(const StudyAnswer &answer, const Json &words)
 {
-  const Budget &budget = answer.spin.budget;
   std::string text;
   for (const char *part :
        { "answer", "lift_off", "pressed", "narrow_contact", "thin_layer", "out_of_flat", "several_spins" })
     append(text, words[part]);
-  if (answer.spin.is_quick())
+  if (!answer.budget)
     return { text };
-  std::vector<std::variant<std::string, Table>> parts = { text, "From the paper's model to this study's:",
-                                                          shown_chain_table(answer, named_steps(budget.rows),
-                                                                            Face::console) };
-  if (!budget.without.empty())
+  std::vector<std::variant<std::string, Table>> parts = {
+    text, "From the paper's model to this study's:",
+    shown_chain_table(answer, named_steps(answer.budget->rows), Face::console)
+  };
+  if (!answer.budget->without.empty())
     parts.insert(parts.end(), { "The complete model without one effect at a time:",
                                 without_table(answer, Face::console) });
   return parts;
@@ -248,18 +248,18 @@ std::vector<std::variant<std::string, Table>> console_of(const StudyAnswer &answ
 
 Results run_results(const StudyAnswer &answer)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   Results results = begun_results(study, "how fast it spins");
   results.summary = run_fields().json(answer);
   results.key_figures = { { "tau_at_rest", spin.answer().at_rest.value().friction.torque },
                           { "omega_terminal", spin.answer().omega_terminal() },
                           { "omega_terminal_band", band_of(bands, "omega_terminal") },
-                          { "omega_terminal_first_harmonic", spin.rows.front().omega_terminal() },
-                          { "harmonic_effect", spin.budget.harmonics.absolute },
-                          { "harmonic_effect_relative", spin.budget.harmonics.relative } };
+                          { "omega_terminal_first_harmonic", spin.rows.omega_first_harmonic() },
+                          { "harmonic_effect", spin.harmonics.absolute },
+                          { "harmonic_effect_relative", spin.harmonics.relative } };
   results.words.update(run_words(answer));
   add_spin(answer, results);
-  if (!spin.is_quick())
+  if (budget)
     add_budget(answer, results);
   add_load_lines(contact.load, results);
   if (contact.foot)

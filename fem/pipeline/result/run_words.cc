@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace stemware::pipeline
 {
@@ -26,26 +27,27 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   {
     const std::string share = number(load->contact_fraction, ".1f%") + " of the land is under pressure";
     if (load->minimum < 0)
-      append(text, state + " the load is negative somewhere, down to " + number(load->minimum, ".4g") +
-                     " N/rad (tensile, not physical). " + share + ".");
+      append(text, fmt::format(FMT_STRING("{} the load is negative somewhere, down to {} N/rad (tensile, not "
+                                          "physical). {}."),
+                               state, number(load->minimum, ".4g"), share));
     else if (load->contact_fraction < 1)
-      append(text,
-             state + " the foot has partly lifted off: " + share + ", at a moment ratio of " +
-               number(load->moment_ratio, ".4g") +
-               (load->moment_ratio > 1 ? " (above 1 a first-harmonic load is negative somewhere)." : "."));
+      append(text, fmt::format(
+                     FMT_STRING("{} the foot has partly lifted off: {}, at a moment ratio of {}{}."), state,
+                     share, number(load->moment_ratio, ".4g"),
+                     load->moment_ratio > 1 ? " (above 1 a first-harmonic load is negative somewhere)" : ""));
   }
   return text;
 }
 
 /// Returns the terminal spin of the paper's model, unless the study itself uses the paper's model.
-std::optional<double> paper_spin(const Budget &budget)
+std::optional<double> paper_spin(const std::optional<Budget> &budget)
 {
-  return budget.rows.size() < 2 ? std::nullopt : budget.rows.front().omega_terminal;
+  return !budget || budget->rows.size() < 2 ? std::nullopt : budget->rows.front().omega_terminal;
 }
 
 std::string paper_sentence(const StudyAnswer &run)
 {
-  const std::optional<double> omega = paper_spin(run.spin.budget);
+  const std::optional<double> omega = paper_spin(run.budget);
   if (!omega)
     return "";
   if (!run.study.is_spin(*omega))
@@ -56,10 +58,10 @@ std::string paper_sentence(const StudyAnswer &run)
 
 /// Describes the row with the largest change of the spin, except rows of harmonics and changes below
 /// rounding.
-std::string largest_step_sentence(const StudyAnswer &run)
+std::string largest_step_sentence(const StudyAnswer &run, const Budget &budget)
 {
   const BudgetRow *row = nullptr;
-  for (const BudgetRow &each : run.spin.budget.rows)
+  for (const BudgetRow &each : budget.rows)
     if (each.name != "harmonics" && each.difference && run.study.is_spin(*each.difference) &&
         (!row || std::abs(*each.difference) > std::abs(*row->difference)))
       row = &each;
@@ -95,8 +97,8 @@ std::string missing_band_sentence(const TableSection &table, bool is_of_revoluti
 
 std::string spinning_answer(const StudyAnswer &run, double omega)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
-  const std::optional<double> band = band_of(bands, "omega_terminal"), paper = paper_spin(spin.budget);
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
+  const std::optional<double> band = band_of(bands, "omega_terminal"), paper = paper_spin(budget);
   std::string text =
     under_its_load(study.load, "The glass turns once in " + number(seconds_a_turn(omega), "#.3g") + " s, " +
                                  sense_of(study.motion.orbit, omega) + ".");
@@ -105,15 +107,18 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
          "The terminal spin is " + format::spin(omega, band) + " rad/s" +
            (band ? " (± " + number(*band, "band") + " rad/s by discretisation)" : "") +
            (paper && study.is_spin(*paper) ? ", the paper's " + format::spin(*paper) + " rad/s." : "."));
-  if (!band && !spin.is_quick() && study.load.is_from_contact())
+  if (!band && budget && study.load.is_from_contact())
     append(text, missing_band_sentence(study.table, study.contact.is_of_revolution()));
-  if (spin.rows.size() > 1)
+  if (spin.rows.by_harmonics.size() > 1)
   {
     append(text, torque_effect_sentence(spin.torque_effects));
-    append(text, harmonic_effect_sentence(study, spin.budget.harmonics, band_of(bands, "harmonic_effect")));
+    append(text, harmonic_effect_sentence(study, spin.harmonics, band_of(bands, "harmonic_effect")));
   }
-  append(text, largest_step_sentence(run));
-  append(text, inputs_sentence(spin.budget));
+  if (budget)
+  {
+    append(text, largest_step_sentence(run, *budget));
+    append(text, inputs_sentence(*budget));
+  }
   append(text, "docs/limits.md lists the effects missing in the " + one_way_word(study.load) +
                  "model, with the sizes that are known.");
   return text;
@@ -139,10 +144,10 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load, c
 
 std::string answer_of(const StudyAnswer &run)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
   const ring::Answer &all = spin.answer();
   std::string text;
-  if (spin.is_quick())
+  if (!budget)
     text = "Quick run: no budget of effects, no error bands.";
   if (all.fall)
   {
@@ -180,7 +185,7 @@ std::string profile_remark(const std::optional<fem::RimCircle> &circle)
 /// if there is no lift-off at the terminal spin, at rest.
 std::string lift_off_remark(const StudyAnswer &run)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
   if (spin.answer().fall)
     return lift_off_sentences(
       { { "At rest", &contact.load }, { "Where it tips over", &contact.load_at_end } });
@@ -198,7 +203,7 @@ std::string lift_off_remark(const StudyAnswer &run)
 
 std::string contact_remark(const StudyAnswer &run)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
   std::string text = pressed_sentence("At rest", contact.load, bands);
   if (spin.answer().terminal && study.is_spin(spin.answer().terminal->omega))
     append(text, pressed_sentence("At the terminal spin", contact.load_at_end, bands));
@@ -231,7 +236,7 @@ std::string thin_layer_remark(const TableSection &table, double half_width)
 
 std::string out_of_flat_remark(const StudyAnswer &run)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
   if (!spin.phases)
     return "";
   const bool rim = !study.glass.waviness.empty(), table = !study.table.waviness.empty();
@@ -287,7 +292,7 @@ std::string driven_remark(const SpinStudy &spin, const ErrorBands &bands)
 
 Json run_words(const StudyAnswer &run)
 {
-  const auto &[study, goal, contact, spin, bands] = run;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = run;
   std::string answer = answer_of(run);
   append(answer, profile_remark(study.glass.rim_circle));
   return { { "answer", answer },

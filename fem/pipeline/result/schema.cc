@@ -29,8 +29,8 @@ std::vector<ResultFile> example_files()
   example.contact.foot = FootReport();
   example.contact.foot->footprint_at_end = fem::PressureMap();
   SpinStudy &spin = example.spin;
-  spin.rows.emplace_back().terminal = ring::TerminalSpin();
-  spin.budget.rows.emplace_back();
+  spin.rows.by_harmonics.emplace_back().row.terminal = ring::TerminalSpin();
+  example.budget.emplace().rows.emplace_back();
   spin.torque.n_first = 1;
   spin.spin_up.driven = DrivenSpinUp();
   spin.phases = PhaseStudy();

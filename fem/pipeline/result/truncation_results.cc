@@ -18,14 +18,15 @@ namespace
 
 /// Returns the smallest sufficient number of harmonics: with this number or more, the terminal spin deviates
 /// from the spin of the last row (all harmonics) by at most the fraction @p share.
-unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double share)
+unsigned int harmonics_enough(const StudyRows &rows, double share)
 {
-  unsigned int enough = rows.back().harmonics;
-  for (auto row = rows.rbegin(); row != rows.rend(); ++row)
+  unsigned int enough = rows.answer().harmonics;
+  for (auto loaded = rows.by_harmonics.rbegin(); loaded != rows.by_harmonics.rend(); ++loaded)
   {
-    if (!row->relative_change || std::abs(*row->relative_change) > share)
+    const ring::Answer &row = loaded->row;
+    if (!row.relative_change || std::abs(*row.relative_change) > share)
       break;
-    enough = row->harmonics;
+    enough = row.harmonics;
   }
   return enough;
 }
@@ -34,14 +35,13 @@ unsigned int harmonics_enough(const std::vector<ring::Answer> &rows, double shar
 /// its value.
 std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
-  const std::vector<ring::Answer> &rows = spin.rows;
-  const ring::Answer &all = rows.back();
-  const std::optional<double> first = rows.front().omega_terminal();
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
+  const ring::Answer &all = spin.answer();
+  const std::optional<double> first = spin.rows.omega_first_harmonic();
   if (all.fall)
   {
     std::string text = fall_sentences(study.motion.orbit, all);
-    if (rows.size() > 1)
+    if (spin.rows.by_harmonics.size() > 1)
       append(text, first
                      ? "The first harmonic only has a terminal spin of " + format::spin(*first) + " rad/s."
                      : "The first harmonic only has no terminal spin either.");
@@ -62,7 +62,7 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
                   (first ? "to " + format::spin(*first) + " rad/s with the first harmonic only."
                          : "and has no terminal spin with the first harmonic only."));
   append(text, torque_effect_sentence(spin.torque_effects));
-  append(text, harmonic_effect_sentence(study, spin.budget.harmonics));
+  append(text, harmonic_effect_sentence(study, spin.harmonics));
   append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
   return text;
 }
@@ -85,15 +85,15 @@ Json truncate_schema()
 
 Results truncation_results(const StudyAnswer &answer)
 {
-  const auto &[study, goal, contact, spin, bands] = answer;
+  const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   const std::optional<double> omega = spin.answer().omega_terminal();
   const unsigned int n_enough = harmonics_enough(spin.rows, 1e-4);
   const std::vector<Truncation> truncations = truncations_of(answer);
   Results results = begun_results(study, "how many harmonics of the load matter");
   results.summary = truncate_fields().json(answer);
   results.key_figures = { { "omega_terminal", omega },
-                          { "harmonic_effect", spin.budget.harmonics.absolute },
-                          { "harmonic_effect_relative", spin.budget.harmonics.relative },
+                          { "harmonic_effect", spin.harmonics.absolute },
+                          { "harmonic_effect_relative", spin.harmonics.relative },
                           { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
   results.words["answer"] = answer_of(answer, n_enough);
   add_load_lines(contact.load, results);

@@ -236,14 +236,13 @@ TEST(ErrorBands, ExistForExactlyTheBudgetRowsWithAContactAndAgreeWithTheSpinBand
   fem::ComplianceCache cache;
   const StudyRows answers = rows_by_harmonics({ study, solved.foot, ThreadedExecutor(cache) }, solved.load,
                                               Depth::full, model_chain({ study }));
-  std::vector<BudgetRow> rows = assess_chain(answers);
-  ASSERT_EQ(rows.back().step.number, 11u); // rows 1, 2, 3, 3a, 4 ... 11
   const ErrorBands bands = estimate_bands({ study, solved.foot, ThreadedExecutor(cache) }, solved.row,
                                           answers.by_harmonics.front().row.omega_terminal());
   const std::optional<double> all = band_of(bands, "omega_terminal"),
                               first = band_of(bands, "omega_first_harmonic");
   ASSERT_TRUE(all && first);
-  add_bands(all, first, rows);
+  const std::vector<BudgetRow> rows = assess_chain(answers, { all, first });
+  ASSERT_EQ(rows.back().step.number, 11u); // rows 1, 2, 3, 3a, 4 ... 11
   for (const BudgetRow &row : rows)
     EXPECT_EQ(row.band.has_value(), row.step.number >= 3) << row.name;
   EXPECT_EQ(rows.back().band, all);
@@ -252,26 +251,20 @@ TEST(ErrorBands, ExistForExactlyTheBudgetRowsWithAContactAndAgreeWithTheSpinBand
   EXPECT_NEAR(*rows[rows.size() - 2].band, *all, 1e-9);
 }
 
-TEST(ErrorBands, OfBudgetRowsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
+TEST(ErrorBands, OfModelsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
 {
-  const auto row = [](unsigned int number, double omega) { return BudgetRow{ { number }, "", {}, omega }; };
-  std::vector<BudgetRow> rows = { row(1, -3),      row(2, -3.6),   row(3, -3.7),   row(4, -3.6),
-                                  row(9, -3.6501), row(10, -3.65), { { 11 }, "" }, row(12, -3.65) };
-  std::vector<BudgetRow> without_first = rows;
-  add_bands(1e-3, 3e-3, rows);
-  // Row 9: the last band plus the difference of the spins of row 9 and the last row.
-  const std::vector<std::optional<double>> expected = { {}, {}, 3e-3, 3e-3, 1.1e-3, 1e-3, {}, 1e-3 };
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    ASSERT_EQ(rows[i].band.has_value(), expected[i].has_value()) << i;
-    EXPECT_NEAR(rows[i].band.value_or(0), expected[i].value_or(0), 1e-12) << i;
-  }
-  add_bands(1e-3, {}, without_first);
-  EXPECT_FALSE(without_first[2].band);
-  EXPECT_FALSE(without_first[3].band);
-  EXPECT_NEAR(without_first[4].band.value(), 1.1e-3, 1e-12);
-  add_bands({}, {}, without_first = { row(3, -3.6) });
-  EXPECT_FALSE(without_first.front().band);
+  const double omega = -3.65, omega_first = -3.7;
+  const auto band_at = [&](double spin, const SpinBands &bands)
+  { return model_band(std::abs(spin - omega), std::abs(spin - omega_first), bands); };
+  const SpinBands both = { 1e-3, 3e-3 };
+  for (const double spin : { omega_first, -3.6 })
+    EXPECT_NEAR(band_at(spin, both).value(), 3e-3, 1e-12) << spin;
+  EXPECT_NEAR(band_at(-3.6501, both).value(), 1.1e-3, 1e-12); // the band of omega plus the difference
+  EXPECT_NEAR(band_at(omega, both).value(), 1e-3, 1e-12);
+  EXPECT_NEAR(band_at(-3.7001, { 3e-3, 1e-3 }).value(), 1.1e-3, 1e-12);
+  EXPECT_FALSE(band_at(omega_first, { 1e-3 }));
+  EXPECT_NEAR(band_at(-3.6501, { 1e-3 }).value(), 1.1e-3, 1e-12);
+  EXPECT_FALSE(band_at(omega, {}));
 }
 
 TEST(ErrorBands, MessageOfAFailedRefinementNamesTheDegree)

@@ -29,9 +29,10 @@ std::vector<double> results_on(unsigned int n_threads)
   const ThreadedExecutor executor(cache, n_threads);
   const SpinStudy spin = study_spin({ solved.study, solved.foot, executor }, solved.load);
   std::vector<double> digits = { spin.one_ring->omega_terminal().value_or(0) };
-  for (const BudgetRow &row : spin.budget.rows)
+  const Budget budget = find_budget(spin.rows);
+  for (const BudgetRow &row : budget.rows)
     digits.push_back(row.omega_terminal.value_or(0));
-  for (const WithoutRow &row : spin.budget.without)
+  for (const WithoutRow &row : budget.without)
     digits.push_back(row.omega_terminal.value_or(0));
   for (const BandedQuantity &banded :
        estimate_bands({ solved.study, solved.foot, executor }, spin.answer(), std::nullopt))

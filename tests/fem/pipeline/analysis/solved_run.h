@@ -19,14 +19,8 @@ struct SolvedRun : pipeline::StudyAnswer
       , foot(pipeline::study_foot({ study, {}, model }, pipeline::foot_maker(cache)))
   {
     const pipeline::ThreadedExecutor executor(cache);
-    const pipeline::BalancedLoad load = pipeline::find_load(study, foot);
-    spin = pipeline::study_spin({ study, foot, executor }, load);
-    contact = pipeline::describe(foot, load, spin.answer().last_spin().value());
-    bands =
-      pipeline::estimate_bands({ study, foot, executor }, spin.answer(), spin.rows.front().omega_terminal(),
-                               pipeline::reported_quantities(contact.load, spin.budget));
-    pipeline::add_bands(pipeline::band_of(bands, "omega_terminal"),
-                        pipeline::band_of(bands, "omega_first_harmonic"), spin.budget.rows);
+    pipeline::StudyAnswer::operator=(
+      pipeline::answer_study({ given, foot, executor }, pipeline::Depth::full));
   }
 
   pipeline::Results results() const { return pipeline::run_results(*this); }

@@ -39,10 +39,10 @@ inline pipeline::Model rigid_foot()
   return model;
 }
 
-inline pipeline::Budget whole_budget(const pipeline::Study &study, const pipeline::Executor &executor)
+inline pipeline::SpinStudy whole_spin_study(const pipeline::Study &study, const pipeline::Executor &executor)
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
-  return pipeline::study_spin({ study, foot, executor }, pipeline::find_load(study, foot)).budget;
+  return pipeline::study_spin({ study, foot, executor }, pipeline::find_load(study, foot));
 }
 
 inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)

@@ -284,6 +284,9 @@ TEST(Live, CurvesBudgetAndMotionAgreeWithTheAnswer)
   EXPECT_EQ(motion[0]["omega"], 0);
   EXPECT_NEAR(motion.back()["omega"].get<double>(), omega, 0.006 * std::abs(omega));
   EXPECT_LT(motion.back()["torque"].get<double>() / motion[0]["torque"].get<double>(), 0.02);
+  // The page chooses the end of the curves after the answer.
+  explore_set("Motion/End time", "3.5");
+  EXPECT_EQ(column(tables(explore_curves())["spin_up"], "time").back(), 3.5);
 }
 
 TEST(Live, FrictionAtRestIntegratesToTorqueAndForce)

@@ -34,16 +34,17 @@ struct SpunStudy : StudyAnswer
 {
   SpunStudy()
   {
-    spin.rows = { answer_with(1, -3.4), answer_with(2, -3.25) };
-    spin.budget.rows = { { { 1 }, "paper", 1, -3. },
-                         { { 2 }, "moment balance", 1, -3.5, -0.5 },
-                         { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
-                         { { 4 }, "harmonics", {}, -3.25, 0.15 } };
-    spin.budget.harmonics = { 0.15, -0.15 / 3.4 };
-    spin.budget.without = { { "tilt", -3.24, 0.01, "" },
-                            { "grip", -3.3, -0.05, "" },
-                            { "compliance of the interface", {}, {}, "not defined" } };
-    spin.budget.inputs = { { "0.05 more friction", 0.0801 } };
+    spin.rows.by_harmonics = { { {}, answer_with(1, -3.4) }, { {}, answer_with(2, -3.25) } };
+    budget.emplace();
+    budget->rows = { { { 1 }, "paper", 1, -3. },
+                     { { 2 }, "moment balance", 1, -3.5, -0.5 },
+                     { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
+                     { { 4 }, "harmonics", {}, -3.25, 0.15 } };
+    spin.harmonics = { 0.15, -0.15 / 3.4 };
+    budget->without = { { "tilt", -3.24, 0.01, "" },
+                        { "grip", -3.3, -0.05, "" },
+                        { "compliance of the interface", {}, {}, "not defined" } };
+    budget->inputs = { { "0.05 more friction", 0.0801 } };
     bands = { { { "omega_terminal", "terminal spin", "rad/s", -3.25, 1e-9 }, 0.00123, -3.25 } };
   }
 
@@ -64,7 +65,7 @@ TEST(RunAnswer, ContainsTheNumbersOfTheAnalysis)
                                      "0.05 more friction by +0.08 rad/s", "4.41 % slower", "+0.15 rad/s",
                                      "-0.5 rad/s (16.7 % faster)" });
   SpunStudy falling;
-  ring::Answer &all = falling.spin.rows.back();
+  ring::Answer &all = falling.spin.rows.by_harmonics.back().row;
   all.fall = all.at_rest;
   all.fall->omega = -9.1234;
   all.fall->moment_ratio = 1.6789;
@@ -105,10 +106,10 @@ TEST(RunAnswer, ShowsTheHarmonicEffectAtLowOrbitSpeedsAndABoundIfItIsRoundingErr
 TEST(RunAnswer, OmitsThePercentageIfTheSpinChangesSign)
 {
   SpunStudy turned;
-  turned.spin.budget.rows[1].omega_terminal = 3.5;
-  turned.spin.budget.rows[1].difference = 6.5; // the difference from -3 to a positive spin
-  turned.spin.budget.harmonics = harmonic_effect(3.4, -3.25, 11.7);
-  EXPECT_FALSE(turned.spin.budget.harmonics.relative);
+  turned.budget->rows[1].omega_terminal = 3.5;
+  turned.budget->rows[1].difference = 6.5; // the difference from -3 to a positive spin
+  turned.spin.harmonics = harmonic_effect(3.4, -3.25, 11.7);
+  EXPECT_FALSE(turned.spin.harmonics.relative);
   EXPECT_NE(turned.answer().find("by -6.65 rad/s."), std::string::npos) << turned.answer();
   EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
 }
@@ -118,7 +119,7 @@ TEST(RunAnswer, StatesTheSenseOfTheSpin)
   SpunStudy spun;
   const auto begins = [&](double omega, ring::OrbitSense sense)
   {
-    spun.spin.rows.back().terminal->omega = omega;
+    spun.spin.rows.by_harmonics.back().row.terminal->omega = omega;
     spun.study.motion.orbit.orbit_sense = sense;
     const std::string answer = spun.answer();
     const auto sense_at = answer.find(" s, ") + 4;
@@ -134,7 +135,7 @@ TEST(RunAnswer, StatesTheSenseOfTheSpin)
 TEST(RunAnswer, OmitsThePercentageIfThereIsNoSpin)
 {
   SpunStudy resting;
-  resting.spin.rows.back().terminal->omega = 1e-13;
+  resting.spin.rows.by_harmonics.back().row.terminal->omega = 1e-13;
   EXPECT_EQ(resting.answer().find('%'), std::string::npos) << resting.answer();
   expect_all(resting.answer(), { "not spin" });
 }

@@ -35,12 +35,13 @@ CsvTable file_of(const Results &results, const std::string &name)
 TEST(RunResults, TruncationFileContainsTheRowsOfTheAnalysis)
 {
   const SpinStudy &spin = solved_run().spin;
+  const std::vector<LoadedRow> &rows = spin.rows.by_harmonics;
   const CsvTable table = file_of(solved_run().results(), "truncation.csv");
-  ASSERT_EQ(table.n_rows(), spin.rows.size());
-  ASSERT_EQ(spin.torque_effects.rows.size(), spin.rows.size());
-  for (std::size_t i = 0; i < spin.rows.size(); ++i)
+  ASSERT_EQ(table.n_rows(), rows.size());
+  ASSERT_EQ(spin.torque_effects.rows.size(), rows.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
   {
-    const ring::Answer &row = spin.rows[i];
+    const ring::Answer &row = rows[i].row;
     const ring::TorqueEffect &effect = spin.torque_effects.rows[i];
     EXPECT_EQ(table.number(i, "harmonics (1)"), row.harmonics);
     EXPECT_EQ(table.number(i, "tau_z at rest (N m)"), row.at_rest->friction.torque);
@@ -100,7 +101,7 @@ TEST(RunResults, RingsFileContainsEveryCoefficientOfEveryRing)
 
 TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
 {
-  const Budget &budget = solved_run().spin.budget;
+  const Budget &budget = *solved_run().budget;
   const Json summary = solved_run().summary(), &rows = summary["budget"], &without = summary["without"];
   ASSERT_EQ(rows.size(), budget.rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -118,7 +119,7 @@ TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
   ASSERT_EQ(without.size(), budget.without.size());
   for (std::size_t i = 0; i < without.size(); ++i)
     EXPECT_EQ(without[i]["omega_terminal"], budget.without[i].omega_terminal.value());
-  EXPECT_EQ(summary["harmonic_effect"]["relative"], budget.harmonics.relative.value());
+  EXPECT_EQ(summary["harmonic_effect"]["relative"], solved_run().spin.harmonics.relative.value());
   EXPECT_EQ(summary["torque_effect"]["largest"],
             solved_run().spin.torque_effects.rows.back().largest.value());
 }
@@ -189,18 +190,18 @@ TEST(RunResults, SummaryContainsTheGoalOfTheMesh)
 TEST(TruncationResults, ReportTheNumberOfHarmonicsForAToleranceAndTheReasonOfAFailedRow)
 {
   StudyAnswer run = solved_run();
-  std::vector<ring::Answer> &rows = run.spin.rows;
+  std::vector<LoadedRow> &rows = run.spin.rows.by_harmonics;
   rows.erase(rows.begin(), rows.end() - 3);
   ring::TorqueEffects &effects = run.spin.torque_effects;
   effects.rows.erase(effects.rows.begin(), effects.rows.end() - 3);
-  rows[0].relative_change = 2e-2;
-  rows[1] = {};
-  rows[1].harmonics = effects.rows[1].harmonics;
-  rows[1].reason = "No balance of moments was found";
-  rows[2].relative_change = 0;
+  rows[0].row.relative_change = 2e-2;
+  rows[1].row = {};
+  rows[1].row.harmonics = effects.rows[1].harmonics;
+  rows[1].row.reason = "No balance of moments was found";
+  rows[2].row.relative_change = 0;
   const Results results = truncation_results(run);
-  EXPECT_EQ(results.key_figures["harmonics_for_1e-4"], rows[2].harmonics);
-  EXPECT_EQ(results.summary["truncation"][1]["message"], rows[1].reason);
+  EXPECT_EQ(results.key_figures["harmonics_for_1e-4"], rows[2].row.harmonics);
+  EXPECT_EQ(results.summary["truncation"][1]["message"], rows[1].row.reason);
 }
 
 const std::vector<BudgetRow> budget_rows = { { { 1 }, "paper", 1, -3. },
