@@ -163,10 +163,9 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
     const double first_moved = -(found.torque_of_first - own.torque_of_first) / slope_there;
     const double spin_noise = analysis.study.rounding_of_spins();
-    quantities.push_back({ "omega_first_harmonic", "terminal spin of the first harmonic", "rad/s",
-                           *probe.first + first_moved, spin_noise });
-    quantities.push_back({ "harmonic_effect", "effect of the harmonics", "rad/s",
-                           spin.omega_terminal - *probe.first - first_moved, spin_noise });
+    quantities.push_back(spin_quantity("omega_first_harmonic", *probe.first + first_moved, spin_noise));
+    quantities.push_back(
+      spin_quantity("harmonic_effect", spin.omega_terminal - *probe.first - first_moved, spin_noise));
   }
   return quantities;
 }

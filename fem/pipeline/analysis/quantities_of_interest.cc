@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 
-#include "fem/pipeline/analysis/study_rows.h"
+#include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/base/numbers.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
@@ -21,31 +21,29 @@ std::string QuantityOfInterest::title() const
 
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise)
 {
-  std::vector<QuantityOfInterest> quantities;
-  const ring::RingStack &at_rest = load.rings;
-  const double mean = at_rest.a(0);
-  for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+  const auto rounding = [&](const Quantity &quantity, double value)
   {
-    const std::string order = std::to_string(n);
-    quantities.push_back({ "a" + order, "a_" + order + "/a_0", "1", at_rest.a(n) / mean, relative_noise });
-    quantities.push_back({ "b" + order, "b_" + order + "/a_0", "1", at_rest.b(n) / mean, relative_noise });
-  }
-  quantities.push_back(
-    { "ring_radius", "ring radius", "m", at_rest.radius(), relative_noise * at_rest.radius() });
-  const bool ends_somewhere = load.contact_fraction > 0 && load.contact_fraction < 1;
-  quantities.push_back({ "contact_fraction", "share of the land in contact", "1", load.contact_fraction,
-                         ends_somewhere ? share_noise : 0. });
-  if (load.azimuth_fraction)
-    quantities.push_back({ "azimuth_fraction", "share of the azimuths in contact", "1",
-                           *load.azimuth_fraction, *load.azimuth_fraction < 1 ? share_noise : 0. });
-  quantities.push_back({ "minimum", "least load at rest", "N/rad", load.minimum, relative_noise * mean });
-  if (load.peak_pressure)
-    quantities.push_back({ "peak_pressure", "largest pressure at rest", "Pa", *load.peak_pressure,
-                           relative_noise * *load.peak_pressure });
-  if (load.contact_width)
-    quantities.push_back({ "contact_width", "largest width of the contact at rest", "m", *load.contact_width,
-                           relative_noise * *load.contact_width });
+    if (quantity.key == "contact_fraction" || quantity.key == "azimuth_fraction")
+      return 0 < value && value < 1 ? share_noise : 0.;
+    return relative_noise * (quantity.unit == "1"       ? 1
+                             : quantity.unit == "N/rad" ? load.rings.a(0)
+                                                        : std::abs(value));
+  };
+  std::vector<QuantityOfInterest> quantities;
+  for (const auto &[quantity, value_of] : load_fields().all())
+    if (!quantity.banded.empty())
+      if (const Json value = value_of(load); !value.is_null())
+        quantities.push_back(
+          { quantity.key, quantity.banded, quantity.unit, value, rounding(quantity, value.get<double>()) });
   return quantities;
+}
+
+QuantityOfInterest spin_quantity(const std::string &key, double value, double rounding)
+{
+  for (const auto &[quantity, value_of] : study_quantities().all())
+    if (quantity.key == key && !quantity.banded.empty())
+      return { key, quantity.banded, quantity.unit, value, rounding };
+  throw std::out_of_range("no quantity of interest is called " + key);
 }
 
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
@@ -60,14 +58,13 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
                               study.glass.profile.contact_radius;
   constexpr double noise_of_slopes = 1e3; // factor between the relative noise of slopes and of torques
-  quantities.push_back({ "tau_at_rest", "torque at rest", "N m", spin.torque_at_rest, torque_noise });
+  quantities.push_back(spin_quantity("tau_at_rest", spin.torque_at_rest, torque_noise));
   for (std::size_t i = 0; i < spin.spins.size(); ++i)
-    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque at * rad/s", "N m",
+    quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque of friction at * rad/s", "N m",
                            spin.torques[i], torque_noise, spin.spins[i] });
-  quantities.push_back(
-    { "omega_terminal", "terminal spin", "rad/s", spin.omega_terminal, study.rounding_of_spins() });
-  quantities.push_back({ "time_constant", "time constant", "s", spin.time_constant,
-                         noise_of_slopes * relative_noise * spin.time_constant });
+  quantities.push_back(spin_quantity("omega_terminal", spin.omega_terminal, study.rounding_of_spins()));
+  quantities.push_back(spin_quantity("time_constant", spin.time_constant,
+                                     noise_of_slopes * relative_noise * spin.time_constant));
   const double radius = at_rest.mean_radius,
                move_noise =
                  relative_noise * (std::abs(table_motion(0)) + radius * table_motion.tail<2>().norm());

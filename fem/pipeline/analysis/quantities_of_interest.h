@@ -19,8 +19,8 @@ namespace stemware::pipeline
 /// Quantity whose discretisation error is estimated.
 struct QuantityOfInterest
 {
-  std::string key;  ///< key in summary.json: "omega_terminal"
-  std::string name; ///< displayed name: "terminal spin"; a * stands for `omega`
+  std::string key;  ///< Quantity::key, "omega_terminal"
+  std::string name; ///< Quantity::banded, "terminal spin"; a * stands for `omega`
   std::string unit; ///< "1" for pure numbers
   double value = 0;
   double rounding = 0;              ///< differences due to solver tolerances
@@ -65,9 +65,11 @@ struct SpinNumbers
   double time_constant = 0;    ///< [s]
 };
 
-/// Returns the quantities of a load: a_n/a_0 and b_n/a_0 (n = 1 ... 8), ring radius, contact fractions,
-/// minimum load, peak pressure, contact width. With lift-off, fractions are accurate to @p share_noise.
+/// Returns the load_fields() with a name in bands. With lift-off, fractions are accurate to @p share_noise.
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
+
+/// Returns the quantity @p key of study_quantities(), which has a name in bands. Throws std::out_of_range.
+QuantityOfInterest spin_quantity(const std::string &key, double value, double rounding);
 
 /// Returns load_quantities() @p at_rest, the quantities of @p spin, and @p table_motion at rest (q_0 [m], q_1
 /// and q_2 [rad]). Keys and order are equal for equally many spins.

@@ -60,6 +60,11 @@ Word in_python(const std::string &key)
   return [=](Quantity &quantity) { quantity.array = key; };
 }
 
+Word in_bands(const std::string &name)
+{
+  return [=](Quantity &quantity) { quantity.banded = name.empty() ? quantity.column : name; };
+}
+
 Word with_places(const std::vector<Quantity> &places)
 {
   return [=](Quantity &quantity) { quantity.places = places; };

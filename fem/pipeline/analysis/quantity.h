@@ -44,6 +44,7 @@ struct Quantity
   std::string number = "";           ///< replaces a * in the words, which stands for any number
   std::string drawn = "";            ///< key in pictures
   std::string array = "";            ///< key in Python
+  std::string banded = "";           ///< name in tables of error bands; empty: no band is estimated
 
   /// Returns the word of a face; empty if the quantity is not shown.
   std::string word(Face face) const;
@@ -88,6 +89,8 @@ Word with_digits(const std::string &digits);
 Word in_picture(const std::string &key);
 /// Declares the key in Python.
 Word in_python(const std::string &key);
+/// Declares the name of a quantity with an error band; empty: the description of its column.
+Word in_bands(const std::string &name = "");
 /// Declares the columns of a list of fixed length.
 Word with_places(const std::vector<Quantity> &places);
 /// Declares the JSON Schema of the values, in addition to the schema of their type.

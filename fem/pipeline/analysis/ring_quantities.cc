@@ -95,11 +95,11 @@ const Fields<ring::Answer> &answer_fields()
   using ring::RingState;
   static const auto fields = Fields<Answer>{
     { "omega_terminal", "rad/s", "Terminal spin: zero of the sum of friction, lean and grip torque.",
-      &Answer::omega_terminal, in_column("terminal spin"), on_page("terminal spin") },
+      &Answer::omega_terminal, in_column("terminal spin"), on_page("terminal spin"), in_bands() },
     { "tau_at_rest", "N m",
       "Torque of friction on the glass at rest; the mean over the phases with waviness.",
       in_state(&Answer::at_rest, friction_torque), in_column("torque of friction at rest"),
-      on_page("torque of friction at rest") },
+      on_page("torque of friction at rest"), in_bands() },
     { "lean_torque_at_rest", "N m", "Torque of the normal forces about the tilted axis at rest.",
       in_state(&Answer::at_rest, &RingState::lean_torque) },
     { "fall", "Spin at which a glass that stands at rest tips over; null if it does not tip.", fall_fields(),
@@ -113,7 +113,7 @@ const Fields<ring::Answer> &answer_fields()
     { "grip_torque_at_terminal", "N m", "Grip torque at the terminal spin.",
       in_state(&Answer::at_terminal, &RingState::grip_torque) },
     { "time_constant", "s", "Time constant of the approach to the terminal spin.", &Answer::time_constant,
-      in_column("time constant") },
+      in_column("time constant"), in_bands() },
     { "force_at_terminal", "N", "Friction force (T_x, T_y) at the terminal spin.",
       in_state(&Answer::at_terminal, force_of) },
     { "moment_ratio_at_terminal", "1", "Moment ratio at the terminal spin.",
@@ -154,7 +154,7 @@ const Fields<LoadReport> &load_fields()
       [](const Load &load) { return series_of(load.rings)[0]; } },
     { "b", "N/rad", "Sine coefficients of the sum of the rings.",
       [](const Load &load) { return series_of(load.rings)[1]; } },
-    { "normal_force", "N", "N = 2π a_0.", &Load::normal_force },
+    { "normal_force", "N", "N = 2π a_0.", &Load::normal_force, in_column("normal force") },
     { "moment", "N m", "M_N = (Σ y f, −Σ x f), about the centre of the rings.",
       [](const Load &load) {
         return std::array<double, 2>{ load.moment.x(), load.moment.y() };
@@ -162,33 +162,50 @@ const Fields<LoadReport> &load_fields()
     { "moment_ratio", "1",
       "|M_N| / (N R/2), R = Glass/Contact radius; for a load file, its ring radius. A first harmonic "
       "lifts off at 1, the glass tips at 2, on a flat land of outer radius r_o at 2 r_o/R.",
-      &Load::moment_ratio },
+      &Load::moment_ratio, in_column("moment ratio at rest"), on_page("moment ratio at rest") },
     { "ring_radius", "m", "Radius of the single ring with the same N, M_N and first harmonic.",
-      [](const Load &load) { return load.rings.radius(); } },
-    { "mean_radius", "m", "Σ f r / Σ f.", &Load::mean_radius },
+      [](const Load &load) { return load.rings.radius(); },
+      in_column("radius of the equivalent ring at rest"), in_bands() },
+    { "mean_radius", "m", "Σ f r / Σ f.", &Load::mean_radius, in_column("mean radius of the load at rest") },
     { "contact_fraction", "1",
       "Share of the land's area under pressure. On a crowned rim, whose contact is a band, an azimuth "
       "counts with its whole area if any of its points is under pressure. Without a contact: share of "
       "the azimuths with a positive load.",
-      &Load::contact_fraction },
+      &Load::contact_fraction, in_column("share of the land's area under pressure at rest"),
+      on_page("share of the land's area under pressure at rest"), in_bands() },
     { "azimuth_fraction", "1",
       "Share of the rim's azimuths with a point under pressure. Null for a land without a hole (plate, "
       "disc).",
-      &Load::azimuth_fraction },
-    { "minimum", "N/rad",
-      "Minimum load, interpolated between the azimuth lines by the trigonometric interpolant.",
-      &Load::minimum },
+      &Load::azimuth_fraction, in_bands("share of the azimuths under pressure at rest") },
+    { "least_load", "N/rad",
+      "Least load, interpolated between the azimuth lines by the trigonometric interpolant.", &Load::minimum,
+      in_column("least load at rest"), in_bands() },
     { "peak_pressure", "Pa",
       "Largest pressure. On a hard table: of the profile p_0 (1 - x^2)^a across the rim that has the "
       "force and the moments of the contact. Null without a contact.",
-      &Load::peak_pressure },
+      &Load::peak_pressure, in_bands("largest pressure at rest") },
     { "contact_width", "m",
       "Largest width of the contact across the rim at any azimuth. On a rough table: the width with 99 % "
       "of the azimuth's load. Null without a contact, and if the mesh does not resolve the contact "
       "across the rim.",
-      &Load::contact_width }
+      &Load::contact_width, in_bands("largest width of the contact at rest") },
+    { "mean_load", "N/rad", "", [](const Load &load) { return load.rings.a(0); }, in_column("a_0 at rest") }
   };
-  return fields;
+  static const Fields<Load> with_harmonics = []
+  {
+    Fields<Load> list = fields;
+    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+      for (const char letter : { 'a', 'b' })
+      {
+        const std::string order = std::to_string(n);
+        const auto coefficient = [=](const Load &load)
+        { return (letter == 'a' ? load.rings.a(n) : load.rings.b(n)) / load.rings.a(0); };
+        list.add({ letter + order, "1", "", coefficient,
+                   in_column(std::string(1, letter) + '_' + order + " / a_0 at rest"), in_bands() });
+      }
+    return list;
+  }();
+  return with_harmonics;
 }
 
 std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
@@ -312,9 +329,9 @@ const Fields<Truncation> &truncation_fields()
               "relative change of the terminal spin to all harmonics") },
     { "spin_change", "1", "", &Truncation::spin_change, on_page("change of spin"),
       on_console("change\nof spin"), with_digits("+.3g%") },
-    { "load_minimum", "N/rad", "Minimum load at rest.",
+    { "least_load", "N/rad", "Least load at rest.",
       answer(in_state(&Answer::at_rest, &ring::RingState::minimum)),
-      in_file("minimum of the load at rest", "smallest load at rest") },
+      in_file("minimum of the load at rest", "least load at rest") },
     { "pulling_share", "1", "Tensile (not physical) part of the load at rest, over N.",
       answer(in_state(&Answer::at_rest, &ring::RingState::pulling_share)) },
     { "message", "", "Reason for missing values.",

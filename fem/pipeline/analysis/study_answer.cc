@@ -71,10 +71,6 @@ const Fields<StudyAnswer> &study_quantities()
       return fall ? Number(read(*fall)) : std::nullopt;
     };
   };
-  const auto of_load = [](auto member)
-  { return [=](const Found &found) { return found.contact.load.*member; }; };
-  const auto of_rings = [](auto read)
-  { return [=](const Found &found) { return read(found.contact.load.rings); }; };
   const auto torque_change = [](std::optional<AtSpin> ring::TorqueEffect::*spin, bool is_relative)
   {
     return [=](const Found &found)
@@ -88,7 +84,8 @@ const Fields<StudyAnswer> &study_quantities()
   static const auto fields = Fields<Found>{
     { "omega_first_harmonic", "rad/s", "",
       [](const Found &found) { return found.spin.rows.omega_first_harmonic(); },
-      in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only") },
+      in_column("terminal spin, first harmonic only"), on_page("terminal spin, first harmonic only"),
+      in_bands() },
     { "omega_on_ring", "rad/s", "",
       [](const Found &found)
       {
@@ -105,7 +102,7 @@ const Fields<StudyAnswer> &study_quantities()
       },
       in_column("terminal spin, the paper's model") },
     { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.harmonics.absolute; },
-      in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics") },
+      in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics"), in_bands() },
     { "harmonic_effect_relative", "1", "", [](const Found &found) { return found.spin.harmonics.relative; },
       in_column("relative effect of the higher harmonics") },
     { "torque_change_half", "N m", "", torque_change(&ring::TorqueEffect::half, false),
@@ -128,42 +125,25 @@ const Fields<StudyAnswer> &study_quantities()
     { "moment_ratio_at_fall", "1", "",
       if_falls([](const ring::RingState &fall) { return fall.moment_ratio; }),
       in_column("moment ratio at which the glass tips") },
-    { "normal_force", "N", "", of_load(&LoadReport::normal_force), in_column("normal force") },
-    { "moment_ratio", "1", "", of_load(&LoadReport::moment_ratio), in_column("moment ratio at rest"),
-      on_page("moment ratio at rest") },
-    { "contact_fraction", "1", "", of_load(&LoadReport::contact_fraction),
-      in_column("share of the land's area under pressure at rest"),
-      on_page("share of the land's area under pressure at rest") },
-    { "load_minimum", "N/rad", "", of_load(&LoadReport::minimum), in_column("smallest load at rest") },
-    { "ring_radius", "m", "", of_rings([](const ring::RingStack &rings) { return rings.radius(); }),
-      in_column("radius of the equivalent ring at rest") },
-    { "mean_radius", "m", "", of_load(&LoadReport::mean_radius),
-      in_column("mean radius of the load at rest") },
     { "contact_iterations", "1", "",
       [](const Found &found)
       {
         const auto &foot = found.contact.foot;
         return foot ? std::optional(foot->at_rest.solution.n_iterations) : std::nullopt;
       },
-      in_column("Newton steps of the contact at rest") },
-    { "mean_load", "N/rad", "", of_rings([](const ring::RingStack &rings) { return rings.a(0); }),
-      in_column("a_0 at rest") }
+      in_column("Newton steps of the contact at rest") }
   }.include(answer_fields(), [](const Found &found) -> const ring::Answer & { return found.spin.answer(); });
-  static const Fields<Found> all = [of_rings]
-  {
-    Fields<Found> list = fields;
-    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
-      for (const char letter : { 'a', 'b' })
-      {
-        const std::string order = std::to_string(n),
-                          name = std::string(1, letter) + '_' + order + " / a_0 at rest";
-        const auto coefficient = [=](const ring::RingStack &rings)
-        { return (letter == 'a' ? rings.a(n) : rings.b(n)) / rings.a(0); };
-        list.add({ letter + order, "1", "", of_rings(coefficient), in_column(name) });
-      }
-    return list;
-  }();
-  return all;
+  return fields;
+}
+
+const Fields<StudyAnswer> &all_quantities()
+{
+  static const auto fields =
+    Fields<StudyAnswer>{}
+      .include(load_fields(),
+               [](const StudyAnswer &found) -> const LoadReport & { return found.contact.load; })
+      .include(study_quantities(), [](const StudyAnswer &found) -> const StudyAnswer & { return found; });
+  return fields;
 }
 
 StudyAnswer answer_study(const Study &study, Depth depth, const Executor &executor, bool with_fields,

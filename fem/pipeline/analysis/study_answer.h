@@ -36,9 +36,13 @@ StudyAnswer answer_study(const Study &study, Depth depth, const Executor &execut
 StudyAnswer answer_study(const Analysis &analysis, Depth depth, bool with_fields = false,
                          const std::optional<GoalOutcome> &goal = {});
 
-/// Returns the quantities of a study: with a description, in "ring" of summary.json; with a description of
-/// the column, columns of sweep.csv in this order; with a heading, in the table of ranges of a sweep.
+/// Returns the quantities of torque and spin: with a description, in "ring" of summary.json.
 const Fields<StudyAnswer> &study_quantities();
+
+/// Returns study_quantities() and load_fields() at rest: with a description of the column, columns of
+/// sweep.csv in this order; with a heading, in the table of ranges of a sweep; with a name in bands,
+/// quantities of interest.
+const Fields<StudyAnswer> &all_quantities();
 
 /// Solves @p study on the levels of @p axes, refinement_axes(). Throws as answer_study() and refine().
 ErrorBands converge_study(const Study &study, std::vector<RefinementAxis> &axes, const Executor &executor);

@@ -81,7 +81,7 @@ const std::vector<Quantity> &sweep_columns()
   static const std::vector<Quantity> columns = []
   {
     std::vector<Quantity> list;
-    for (const auto &[quantity, value] : study_quantities().all())
+    for (const auto &[quantity, value] : all_quantities().all())
       if (!quantity.column.empty())
         list.push_back(quantity);
     return list;
@@ -114,7 +114,7 @@ CaseResult case_result(const Analysis &analysis)
     answer.contact.foot = FootReport{ {}, "", *contact, {}, {} };
     result.outcome = fem::to_string(contact->solution.outcome);
   }
-  for (const auto &[quantity, value_of] : study_quantities().all())
+  for (const auto &[quantity, value_of] : all_quantities().all())
     if (!quantity.column.empty())
       if (const Json value = value_of(answer); !value.is_null())
       {

@@ -14,7 +14,7 @@ namespace stemware::pipeline
 
 struct CaseList;
 
-/// Returns the columns of sweep.csv: study_quantities() with a column.
+/// Returns the columns of sweep.csv: all_quantities() with a column.
 const std::vector<Quantity> &sweep_columns();
 
 /// Result of one case of a sweep.

@@ -28,7 +28,7 @@ void require_finite(const Json &value, const std::string &path)
     throw std::runtime_error("The result " + path + " is not a finite number; please report this study.");
   if (value.is_structured())
     for (const auto &[key, part] : value.items())
-      require_finite(part, path + "/" + key);
+      require_finite(part, fmt::format(FMT_STRING("{}/{}"), path, key));
 }
 
 /// Writes the files into the subfolder "fields" of @p folder. Precondition: the file system of @p folder is

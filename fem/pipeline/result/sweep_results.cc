@@ -27,7 +27,7 @@ struct QuantityRange
 std::vector<QuantityRange> ranges_of(const CaseList &list, const FinishedCases &finished)
 {
   std::vector<QuantityRange> ranges;
-  for (const auto &[quantity, value_of] : study_quantities().all())
+  for (const auto &[quantity, value_of] : all_quantities().all())
   {
     std::map<double, std::size_t> cases; // index of a case with this value
     std::size_t n = 0;
@@ -140,7 +140,7 @@ Json grid_of(const CaseList &list, const FinishedCases &finished)
                                 { "unit", entry.unit },
                                 { "log", entry.by_factors },
                                 { "values", entry.values } });
-  for (const auto &[quantity, value_of] : study_quantities().all())
+  for (const auto &[quantity, value_of] : all_quantities().all())
   {
     if (quantity.heading.empty())
       continue;

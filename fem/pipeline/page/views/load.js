@@ -89,7 +89,7 @@ export function load_polar(doc) {
     title: 'Load round the rim',
     equal: true,
     aspect: 0.85,
-    words: `mean ${shown(load.mean, '.3g')} N/m, least ${shown(summary.load.minimum, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
+    words: `mean ${shown(load.mean, '.3g')} N/m, least ${shown(summary.load.least_load, '.3g')} N/rad, moment ratio ${shown(summary.load.moment_ratio, '.3g')}`,
     x: { range: range(0) },
     y: { range: range(1) },
     caption: `Seen from above and drawn outwards from the rim, the mean, ${shown(load.mean, '.3g')} N/m, as half a radius; v is the direction of travel, n the harmonics kept. A curve inside the rim is tensile (not physical).`,

@@ -48,7 +48,7 @@ function load_sections(doc) {
         `At rest the glass presses on the table with N = ${shown(load.normal_force)} N and the moment ` +
         `M_N = (${shown(moment_x)}, ${shown(moment_y)}) N m, a moment ratio m = |M_N| / (N R / 2) of ` +
         `${shown(load.moment_ratio, '.4g')}. Above 1 a first-harmonic load is negative somewhere; at 2 the glass tips. ` +
-        `${shown(load.contact_fraction, '.1f%')} of the land is under pressure; the minimum load is ${shown(load.minimum, '.4g')} N/rad.`,
+        `${shown(load.contact_fraction, '.1f%')} of the land is under pressure; the least load is ${shown(load.least_load, '.4g')} N/rad.`,
       pictures: [
         load_polar(doc),
         slip(doc, 'slip_at_rest', 'at rest'),

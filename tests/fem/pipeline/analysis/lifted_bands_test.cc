@@ -117,7 +117,7 @@ private:
     std::map<std::string, double> truth = { { "contact_fraction", at_rest.azimuth_share() },
                                             { "azimuth_fraction", at_rest.azimuth_share() },
                                             { "peak_pressure", at_rest.largest_pressure() },
-                                            { "minimum", at_rest.line_load(ring::pi) } };
+                                            { "least_load", at_rest.line_load(ring::pi) } };
     for (unsigned int n = 1; n <= 6; ++n)
     {
       truth["a" + std::to_string(n)] = at_rest.harmonic(n, false);

@@ -27,7 +27,7 @@ TEST(OneNumber, ErrorBandsAndTablesContainTheReportedNumbers)
   std::map<std::string, double> reported = { { "ring_radius", load["ring_radius"] },
                                              { "contact_fraction", load["contact_fraction"] },
                                              { "azimuth_fraction", load["azimuth_fraction"] },
-                                             { "minimum", load["minimum"] },
+                                             { "least_load", load["least_load"] },
                                              { "peak_pressure", load["peak_pressure"] },
                                              { "tau_at_rest", ring["tau_at_rest"] },
                                              { "tau_at_spin_1", budget.back()["torques"][1] },

@@ -40,7 +40,7 @@ TEST(ConvergeRun, WritesConvergenceOrdersAndErrorBands)
   EXPECT_EQ(bands["omega_terminal"]["value"].get<double>(), values[0]);
   EXPECT_GE(bands["omega_terminal"]["band"].get<double>(), std::abs(values[0] - values[2]));
   for (const char *key : { "a2", "b8", "tau_at_rest", "tau_at_spin_1", "tau_at_spin_2", "time_constant",
-                           "contact_fraction", "minimum", "ring_radius" })
+                           "contact_fraction", "least_load", "ring_radius" })
     EXPECT_TRUE(bands.contains(key)) << key;
   EXPECT_TRUE(std::filesystem::exists(results / "report.html"));
   const CsvTable table(read_text(results / "converge.csv"));

@@ -97,7 +97,7 @@ TEST(Sweep, AgreesWithSeparateRuns)
     EXPECT_EQ(table.number(row, "tau_at_rest (N m)"), one["ring"]["tau_at_rest"]);
     EXPECT_EQ(table.number(row, "moment_ratio"), one["load"]["moment_ratio"]);
     EXPECT_EQ(table.number(row, "contact_fraction"), one["load"]["contact_fraction"]);
-    EXPECT_EQ(table.number(row, "load_minimum (N/rad)"), one["load"]["minimum"]);
+    EXPECT_EQ(table.number(row, "least_load (N/rad)"), one["load"]["least_load"]);
     EXPECT_EQ(table.number(row, "mean_load (N/rad)"), mean);
     EXPECT_EQ(table.number(row, "a2"), one["load"]["a"][2].get<double>() / mean);
     EXPECT_EQ(table.number(row, "b3"), one["load"]["b"][3].get<double>() / mean);

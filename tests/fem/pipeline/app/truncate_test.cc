@@ -44,7 +44,7 @@ TEST(Truncate, RowsAgreeWithTheTruncationRowsOfTheCommandRun)
     // Harmonics are accurate to 1e-11 of a_0 (ElasticFoot::accuracy()). Bounds below this accuracy consist of
     // rounding errors.
     const double rounding = 1e-11 * number(run[0], "bound");
-    for (const char *key : { "tau_at_rest", "omega_terminal", "bound", "load_minimum" })
+    for (const char *key : { "tau_at_rest", "omega_terminal", "bound", "least_load" })
       EXPECT_NEAR(number(truncated[i], key), number(run[i], key),
                   std::max(1e-9 * std::abs(number(run[i], key)), rounding))
         << key << " of " << run[i]["harmonics"];
