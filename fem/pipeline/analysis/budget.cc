@@ -117,12 +117,13 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 
 std::optional<double> model_band(double to_all, const std::optional<double> &to_first, const SpinBands &bands)
 {
-  if (!bands.all)
+  const auto &[of_all, of_first] = bands;
+  if (!of_all)
     return std::nullopt;
-  const double from_all = *bands.all + to_all;
-  if (bands.first && to_first)
-    return std::min({ std::max(*bands.all, *bands.first), from_all, *bands.first + *to_first });
-  return to_all <= *bands.all ? std::optional(from_all) : std::nullopt;
+  const double from_all = *of_all + to_all;
+  if (of_first && to_first)
+    return std::min({ std::max(*of_all, *of_first), from_all, *of_first + *to_first });
+  return to_all <= *of_all ? std::optional(from_all) : std::nullopt;
 }
 
 std::vector<BudgetRow> assess_chain(const StudyRows &solved, const SpinBands &bands)

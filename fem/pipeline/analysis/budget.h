@@ -73,16 +73,13 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 
 /// Half-widths of the error bands of the terminal spins of all harmonics and of the first [rad/s].
-struct SpinBands
-{
-  std::optional<double> all = {}, first = {};
-};
+using SpinBands = std::pair<std::optional<double>, std::optional<double>>;
 
 /// Returns the half-width of the error band of a terminal spin, from the differences @p to_all and @p
-/// to_first (if known) to the terminal spins of all harmonics and of the first [rad/s]. It is the wider of
-/// their @p bands, but at most either band plus the difference: discretisation changes small differences only
-/// by a fraction. Without a band of the first harmonic, only a spin closer to all harmonics than their band
-/// has a band; without a band of all harmonics, none has.
+/// to_first (if known) to the terminal spins of all harmonics and of the first, and from their @p bands
+/// [rad/s]. It is the wider of the two bands, but at most either band plus the difference: discretisation
+/// changes small differences only by a fraction. Without a band of the first harmonic, only a spin closer to
+/// all harmonics than their band has a band; without a band of all harmonics, none has.
 std::optional<double> model_band(double to_all, const std::optional<double> &to_first,
                                  const SpinBands &bands);
 

@@ -149,15 +149,15 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
   const double moved = -(found.torques[2].torque() - own.torques[2].torque()) / slope;
-  const SpinNumbers spin = {
-    row.at_rest->friction.torque + (found.torques[0].friction.torque - own.torques[0].friction.torque),
-    { probe.spins[1], probe.spins[3] },
-    { found.torques[1].friction.torque, found.torques[3].friction.torque },
-    row.terminal->omega + moved,
-    analysis.study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)))
-  };
+  ring::Answer answer = row;
+  answer.at_rest->friction.torque += found.torques[0].friction.torque - own.torques[0].friction.torque;
+  answer.terminal->omega += moved;
+  answer.terminal->time_constant =
+    analysis.study.motion.orbit.yaw_inertia / std::abs(slope + (slope_of(found) - slope_of(own)));
   std::vector<QuantityOfInterest> quantities =
-    quantities_of_interest(analysis.study, found.at_rest, found.table_motion, spin);
+    quantities_of_interest(analysis.study, found.at_rest, found.table_motion, answer,
+                           { { probe.spins[1], found.torques[1].friction.torque },
+                             { probe.spins[3], found.torques[3].friction.torque } });
   if (probe.first)
   {
     const double slope_there = std::isfinite(own.slope_of_first) ? own.slope_of_first : slope;
@@ -165,7 +165,7 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
     const double spin_noise = analysis.study.rounding_of_spins();
     quantities.push_back(spin_quantity("omega_first_harmonic", *probe.first + first_moved, spin_noise));
     quantities.push_back(
-      spin_quantity("harmonic_effect", spin.omega_terminal - *probe.first - first_moved, spin_noise));
+      spin_quantity("harmonic_effect", answer.terminal->omega - *probe.first - first_moved, spin_noise));
   }
   return quantities;
 }

@@ -48,7 +48,8 @@ QuantityOfInterest spin_quantity(const std::string &key, double value, double ro
 
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
-                                                       const SpinNumbers &spin)
+                                                       const ring::Answer &answer,
+                                                       const std::vector<std::pair<double, double>> &torques)
 {
   const ContactSection &contact = study.contact;
   // The contact fraction of a solid foot is accurate to one azimuthal cell. For a body of revolution, the
@@ -58,13 +59,19 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
                               study.glass.profile.contact_radius;
   constexpr double noise_of_slopes = 1e3; // factor between the relative noise of slopes and of torques
-  quantities.push_back(spin_quantity("tau_at_rest", spin.torque_at_rest, torque_noise));
-  for (std::size_t i = 0; i < spin.spins.size(); ++i)
+  for (const auto &[quantity, value_of] : answer_fields().all())
+    if (!quantity.banded.empty())
+    {
+      const Json found = value_of(answer);
+      const double value = found.is_null() ? std::nan("") : found.get<double>();
+      const double rounding = quantity.unit == "N m"     ? torque_noise
+                              : quantity.unit == "rad/s" ? study.rounding_of_spins()
+                                                         : noise_of_slopes * relative_noise * value;
+      quantities.push_back({ quantity.key, quantity.banded, quantity.unit, value, rounding });
+    }
+  for (std::size_t i = 0; i < torques.size(); ++i)
     quantities.push_back({ "tau_at_spin_" + std::to_string(i + 1), "torque of friction at * rad/s", "N m",
-                           spin.torques[i], torque_noise, spin.spins[i] });
-  quantities.push_back(spin_quantity("omega_terminal", spin.omega_terminal, study.rounding_of_spins()));
-  quantities.push_back(spin_quantity("time_constant", spin.time_constant,
-                                     noise_of_slopes * relative_noise * spin.time_constant));
+                           torques[i].second, torque_noise, torques[i].first });
   const double radius = at_rest.mean_radius,
                move_noise =
                  relative_noise * (std::abs(table_motion(0)) + radius * table_motion.tail<2>().norm());
@@ -91,10 +98,11 @@ std::vector<QuantityOfInterest> quantities_of_load(const Study &study, const Bal
     throw ring::NoBalance(row.reason + "; a study of refinement needs a terminal spin");
   if (spins.empty())
     spins = spins_of_interest(row.terminal->omega);
-  return quantities_of_interest(study, load.report(), load.contact(0).value().solution.motion,
-                                { row.at_rest->friction.torque, spins,
-                                  friction_torques(ring::torque_curve(load, question, spins)),
-                                  row.terminal->omega, row.terminal->time_constant });
+  const std::vector<ring::Torques> at_spins = ring::torque_curve(load, question, spins);
+  std::vector<std::pair<double, double>> torques;
+  for (std::size_t i = 0; i < spins.size(); ++i)
+    torques.emplace_back(spins[i], at_spins[i].friction.torque);
+  return quantities_of_interest(study, load.report(), load.contact(0).value().solution.motion, row, torques);
 }
 
 bool BandedQuantity::is_zero() const

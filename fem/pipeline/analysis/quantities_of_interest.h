@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace stemware::pipeline
@@ -55,27 +56,19 @@ using ErrorBands = std::vector<BandedQuantity>;
 /// Size of differences due to the tolerances of contacts and balances, relative to the mean load.
 constexpr double relative_noise = 1e-9;
 
-/// Quantities of interest that depend on the spin.
-struct SpinNumbers
-{
-  double torque_at_rest = 0;   ///< tau_z [N m]
-  std::vector<double> spins;   ///< further spins of torques [rad/s]
-  std::vector<double> torques; ///< tau_z at `spins` [N m]
-  double omega_terminal = 0;   ///< [rad/s]
-  double time_constant = 0;    ///< [s]
-};
-
 /// Returns the load_fields() with a name in bands. With lift-off, fractions are accurate to @p share_noise.
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
 /// Returns the quantity @p key of study_quantities(), which has a name in bands. Throws std::out_of_range.
 QuantityOfInterest spin_quantity(const std::string &key, double value, double rounding);
 
-/// Returns load_quantities() @p at_rest, the quantities of @p spin, and @p table_motion at rest (q_0 [m], q_1
-/// and q_2 [rad]). Keys and order are equal for equally many spins.
+/// Returns load_quantities() @p at_rest, the answer_fields() of @p answer with a name in bands (NaN if
+/// missing), the @p torques of friction by spin [rad/s, N m], and @p table_motion at rest (q_0 [m], q_1 and
+/// q_2 [rad]). Keys and order are equal for equally many torques.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
-                                                       const SpinNumbers &spin);
+                                                       const ring::Answer &answer,
+                                                       const std::vector<std::pair<double, double>> &torques);
 
 /// Returns the quantities of interest of a study from its @p load, which has a contact, with the torque at
 /// @p spins [rad/s]; empty: spins_of_interest(). @p omega_guess: initial guess of the terminal spin. Throws

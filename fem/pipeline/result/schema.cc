@@ -42,7 +42,7 @@ std::vector<ResultFile> example_files()
   load.azimuth_fraction = load.peak_pressure = load.contact_width = 1;
   ErrorBands bands;
   for (const QuantityOfInterest &quantity :
-       quantities_of_interest({}, load, Eigen::Vector3d::Zero(), { 0, spins_of_interest(1), { 0, 0 } }))
+       quantities_of_interest({}, load, Eigen::Vector3d::Zero(), {}, { { 0.5, 0 }, { 1.5, 0 } }))
     bands.push_back({ quantity });
   files.push_back({ "converge.csv", "", level_table({}, bands) });
   return files;

@@ -262,8 +262,8 @@ TEST(ErrorBands, OfModelsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
   EXPECT_NEAR(band_at(-3.6501, both).value(), 1.1e-3, 1e-12); // the band of omega plus the difference
   EXPECT_NEAR(band_at(omega, both).value(), 1e-3, 1e-12);
   EXPECT_NEAR(band_at(-3.7001, { 3e-3, 1e-3 }).value(), 1.1e-3, 1e-12);
-  EXPECT_FALSE(band_at(omega_first, { 1e-3 }));
-  EXPECT_NEAR(band_at(-3.6501, { 1e-3 }).value(), 1.1e-3, 1e-12);
+  EXPECT_FALSE(band_at(omega_first, { 1e-3, {} }));
+  EXPECT_NEAR(band_at(-3.6501, { 1e-3, {} }).value(), 1.1e-3, 1e-12);
   EXPECT_FALSE(band_at(omega, {}));
 }
 
