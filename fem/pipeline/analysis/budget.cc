@@ -17,7 +17,8 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// Returns the band of the terminal spin of @p row, a model with a contact.
+/// Returns the band of the terminal spin of @p row, which has a contact and a spin; std::nullopt if it cannot
+/// be estimated.
 std::optional<double> band_in(const StudyRows &all, const ring::Answer &row, const SpinBands &bands)
 {
   const auto difference_to = [&](const std::optional<double> &omega)
@@ -26,7 +27,7 @@ std::optional<double> band_in(const StudyRows &all, const ring::Answer &row, con
   return to_all ? model_band(*to_all, difference_to(all.omega_first_harmonic()), bands) : std::nullopt;
 }
 
-/// Returns the row of @p solved below @p above, the rows so far. @p is_complete: the study itself.
+/// Returns the row of @p solved that follows the rows @p above. @p is_complete: true for the study itself.
 BudgetRow row_below(const std::vector<BudgetRow> &above, const ChainStep &step, const std::string &name,
                     const LoadedRow &solved, bool is_complete, const std::optional<double> &band)
 {

@@ -78,8 +78,9 @@ using SpinBands = std::pair<std::optional<double>, std::optional<double>>;
 /// Returns the half-width of the error band of a terminal spin, from the differences @p to_all and @p
 /// to_first (if known) to the terminal spins of all harmonics and of the first, and from their @p bands
 /// [rad/s]. It is the wider of the two bands, but at most either band plus the difference: discretisation
-/// changes small differences only by a fraction. Without a band of the first harmonic, only a spin closer to
-/// all harmonics than their band has a band; without a band of all harmonics, none has.
+/// changes small differences only by a fraction. Without band or spin of the first harmonic, a spin has
+/// a band only if its difference to all harmonics is at most their band; without a band of all harmonics,
+/// std::nullopt.
 std::optional<double> model_band(double to_all, const std::optional<double> &to_first,
                                  const SpinBands &bands);
 

@@ -149,6 +149,8 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
   };
   const double slope = std::isfinite(row.terminal->torque_slope) ? row.terminal->torque_slope : slope_of(own);
   const double moved = -(found.torques[2].torque() - own.torques[2].torque()) / slope;
+  // A number of answer_fields() with a name in bands must be changed here; otherwise its band has only the
+  // part "solver".
   ring::Answer answer = row;
   answer.at_rest->friction.torque += found.torques[0].friction.torque - own.torques[0].friction.torque;
   answer.terminal->omega += moved;

@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 
+#include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/base/numbers.h"
 #include "ring_model/failures.h"

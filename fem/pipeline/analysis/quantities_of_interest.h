@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
@@ -20,8 +19,8 @@ namespace stemware::pipeline
 /// Quantity whose discretisation error is estimated.
 struct QuantityOfInterest
 {
-  std::string key;  ///< Quantity::key, "omega_terminal"
-  std::string name; ///< Quantity::banded, "terminal spin"; a * stands for `omega`
+  std::string key;  ///< key in error_bands: of a declared Quantity, or "tau_at_spin_1", "table_motion_0"
+  std::string name; ///< displayed name, "terminal spin"; a * stands for `omega`
   std::string unit; ///< "1" for pure numbers
   double value = 0;
   double rounding = 0;              ///< differences due to solver tolerances
@@ -56,15 +55,18 @@ using ErrorBands = std::vector<BandedQuantity>;
 /// Size of differences due to the tolerances of contacts and balances, relative to the mean load.
 constexpr double relative_noise = 1e-9;
 
-/// Returns the load_fields() with a name in bands. With lift-off, fractions are accurate to @p share_noise.
+/// Returns the load_fields() with a name in bands and a value. With lift-off, fractions are accurate to @p
+/// share_noise.
 std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double share_noise = relative_noise);
 
-/// Returns the quantity @p key of study_quantities(), which has a name in bands. Throws std::out_of_range.
+/// Returns the quantity @p key of study_quantities(), which has a name in bands. Throws std::out_of_range if
+/// there is none.
 QuantityOfInterest spin_quantity(const std::string &key, double value, double rounding);
 
 /// Returns load_quantities() @p at_rest, the answer_fields() of @p answer with a name in bands (NaN if
 /// missing), the @p torques of friction by spin [rad/s, N m], and @p table_motion at rest (q_0 [m], q_1 and
-/// q_2 [rad]). Keys and order are equal for equally many torques.
+/// q_2 [rad]). Keys and order are equal for equally many torques and the same values
+/// in @p at_rest.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
                                                        const ring::Answer &answer,

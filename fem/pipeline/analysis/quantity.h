@@ -89,7 +89,7 @@ Word with_digits(const std::string &digits);
 Word in_picture(const std::string &key);
 /// Declares the key in Python.
 Word in_python(const std::string &key);
-/// Declares the name of a quantity with an error band; empty: the description of its column.
+/// Declares the name of a quantity with an error band; empty: the description of its column, declared before.
 Word in_bands(const std::string &name = "");
 /// Declares the columns of a list of fixed length.
 Word with_places(const std::vector<Quantity> &places);

@@ -133,13 +133,16 @@ std::array<std::vector<double>, 2> series_of(const ring::RingStack &load)
   return series;
 }
 
-const Fields<LoadReport> &load_fields()
+namespace
+{
+
+Fields<LoadReport> all_load_fields()
 {
   using Ring = ring::RingStack::Ring;
   using Load = LoadReport;
   static const auto ring_fields = Fields<Ring>{ { "a", "N/rad", "Cosine coefficients a_0, a_1 …", &Ring::a },
                                                 { "b", "N/rad", "Sine coefficients, b_0 = 0.", &Ring::b } };
-  static const auto fields = Fields<Load>{
+  Fields<Load> fields = {
     { "radii", "m", "Radii of the rings.",
       [](const Load &load)
       {
@@ -191,21 +194,24 @@ const Fields<LoadReport> &load_fields()
       &Load::contact_width, in_bands("largest width of the contact at rest") },
     { "mean_load", "N/rad", "", [](const Load &load) { return load.rings.a(0); }, in_column("a_0 at rest") }
   };
-  static const Fields<Load> with_harmonics = []
-  {
-    Fields<Load> list = fields;
-    for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
-      for (const char letter : { 'a', 'b' })
-      {
-        const std::string order = std::to_string(n);
-        const auto coefficient = [=](const Load &load)
-        { return (letter == 'a' ? load.rings.a(n) : load.rings.b(n)) / load.rings.a(0); };
-        list.add({ letter + order, "1", "", coefficient,
+  for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
+    for (const char letter : { 'a', 'b' })
+    {
+      const std::string order = std::to_string(n);
+      const auto coefficient = [=](const Load &load)
+      { return (letter == 'a' ? load.rings.a(n) : load.rings.b(n)) / load.rings.a(0); };
+      fields.add({ letter + order, "1", "", coefficient,
                    in_column(std::string(1, letter) + '_' + order + " / a_0 at rest"), in_bands() });
-      }
-    return list;
-  }();
-  return with_harmonics;
+    }
+  return fields;
+}
+
+} // namespace
+
+const Fields<LoadReport> &load_fields()
+{
+  static const Fields<LoadReport> fields = all_load_fields();
+  return fields;
 }
 
 std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
@@ -331,7 +337,7 @@ const Fields<Truncation> &truncation_fields()
       on_console("change\nof spin"), with_digits("+.3g%") },
     { "least_load", "N/rad", "Least load at rest.",
       answer(in_state(&Answer::at_rest, &ring::RingState::minimum)),
-      in_file("minimum of the load at rest", "least load at rest") },
+      in_file("least load at rest", "least load at rest") },
     { "pulling_share", "1", "Tensile (not physical) part of the load at rest, over N.",
       answer(in_state(&Answer::at_rest, &ring::RingState::pulling_share)) },
     { "message", "", "Reason for missing values.",

@@ -245,23 +245,27 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
       break;
   }
   const ring::TimeObserver observer = motion_observer(executor.progress);
-  SpinStudy result = { find_curves(solved.by_harmonics, solved.others.front(), curve,
-                                   ring::output_times(study.motion.end_time), executor,
-                                   study.motion.euler_step, observer),
-                       solved };
+  StudyCurves curves =
+    find_curves(solved.by_harmonics, solved.others.front(), curve, ring::output_times(study.motion.end_time),
+                executor, study.motion.euler_step, observer);
+  // A load refers to the executor's progress, and its contacts take memory.
+  for (auto *rows : { &solved.by_harmonics, &solved.others })
+    for (LoadedRow &row : *rows)
+      row.load.reset();
+  SpinStudy result = { std::move(curves), std::move(solved) };
   // With a solid foot, each torque evaluation takes minutes, so no further terminal spins are searched for.
   const bool is_slow = study.load.is_in_balance() && study.is_collective();
   if (!is_slow)
-    result.terminal_spins = ring::terminal_spins(load, spin_question(study), solved.answer());
+    result.terminal_spins = ring::terminal_spins(load, spin_question(study), result.answer());
   if (load.phases())
     result.phases = study_phases(foot, load, result.answer());
-  for (const LoadedRow &other : solved.others)
+  for (const LoadedRow &other : result.rows.others)
     if (other.variant.kind == VariantKind::one_ring)
       result.one_ring = compared_with_full(other.row, result.answer());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.second);
   result.harmonics =
-    harmonic_effect(solved.omega_first_harmonic(), solved.answer().omega_terminal(), study.spin_scale());
+    harmonic_effect(result.rows.omega_first_harmonic(), result.answer().omega_terminal(), study.spin_scale());
   result.curve_error = curve.second.interpolation_error();
   result.spin_up.driven =
     driven_spin_up(study.motion, study.glass.profile.contact_radius, foot, result.spin_up.time, observer);

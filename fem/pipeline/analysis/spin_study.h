@@ -72,7 +72,9 @@ struct StudyCurves
 /// Spin results of a study, with the curves of the first and of all harmonics.
 struct SpinStudy : StudyCurves
 {
-  StudyRows rows = {}; ///< rows_by_harmonics() and, with Depth::full, the other models of the budget
+  /// rows_by_harmonics() without loads; others: the paper's model, with Depth::full all models of the budget
+  /// and one ring.
+  StudyRows rows = {};
   /// All harmonics on one ring; std::nullopt if the study has one ring.
   std::optional<ring::Answer> one_ring = {};
   HarmonicEffect harmonics = {};
@@ -105,7 +107,8 @@ StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &pap
                         const std::vector<double> &times, const Executor &executor, double euler_step = 0,
                         const ring::TimeObserver &observer = {});
 
-/// Solves a study: all results, or with Depth::answer the answer, its curves and the effect of the harmonics.
+/// Solves a study: the answer, its curves and the effect of the harmonics; with Depth::full also the models
+/// of find_budget().
 /// @p load: find_load() of the analysed study. If the glass tips during the spin-up, the last row has a
 /// `fall`. Throws ring::NoBalance if there is no terminal spin otherwise, or if the spin does not settle
 /// (waviness); and as contact solves and balances.

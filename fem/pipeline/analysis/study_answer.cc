@@ -1,9 +1,10 @@
 #include "fem/pipeline/analysis/study_answer.h"
 
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/spin/curves.h"
+#include "ring_model/spin/answer.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace stemware::pipeline
 {

@@ -97,11 +97,7 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     // Variants with loads of their own are solved in parallel, where the observer must not be called.
     if (variant.shared != Shared::load)
       question.observer = {};
-    const bool has_curves = variant.shared == Shared::load ||
-                            (variant.kind == VariantKind::harmonics && variant.n_harmonics == 1) ||
-                            (variant.kind == VariantKind::chain && !variant.step.is_of_contact());
-    LoadedRow row =
-      loaded_row(variant, ring::answer(load, question), has_curves ? std::optional(load) : std::nullopt);
+    LoadedRow row = loaded_row(variant, ring::answer(load, question), load);
     std::string reason;
     if (variant.is_of_chain())
       row.torques = ring::torque_curve(load, question, torque_spins, &reason);
@@ -130,14 +126,6 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
     }
   }
   return rows;
-}
-
-std::vector<double> friction_torques(const std::vector<ring::Torques> &torques)
-{
-  std::vector<double> of_friction;
-  for (const ring::Torques &at_spin : torques)
-    of_friction.push_back(at_spin.friction.torque);
-  return of_friction;
 }
 
 ring::Answer failed_row(const std::exception_ptr &failure)

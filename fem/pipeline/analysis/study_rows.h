@@ -17,9 +17,7 @@ struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  /// Load of a row with curves: the study, its first harmonic, models without a contact. std::nullopt for
-  /// other rows, whose contacts would take memory, and if the load failed (Answer::reason).
-  std::optional<ring::Load> load = {};
+  std::optional<ring::Load> load = {};     ///< std::nullopt if the load failed (Answer::reason), in SpinStudy
   std::vector<ring::Torques> torques = {}; ///< at StudyRows::torque_spins, for rows of the chain
 };
 
@@ -33,7 +31,7 @@ struct StudyRows
 
   /// Returns the answer with all harmonics.
   const ring::Answer &answer() const { return by_harmonics.back().row; }
-  /// Returns the terminal spin with the first harmonic only [rad/s].
+  /// Returns the terminal spin with the first harmonic only [rad/s]; std::nullopt without one.
   std::optional<double> omega_first_harmonic() const { return by_harmonics.front().row.omega_terminal(); }
 };
 
@@ -62,9 +60,6 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
                                   const std::shared_ptr<ElasticFoot> &foot, const ring::Question &asked,
                                   const Executor &executor, const std::optional<ring::Load> &of_study = {},
                                   const std::vector<double> &torque_spins = {});
-
-/// Returns tau_z of friction of @p torques [N m].
-std::vector<double> friction_torques(const std::vector<ring::Torques> &torques);
 
 /// Returns the row of a variant whose load failed with @p failure.
 ring::Answer failed_row(const std::exception_ptr &failure);

@@ -25,10 +25,10 @@ struct FootReport
   std::vector<fem::SectionPolygon> section = {};
 };
 
-/// Fields of a foot.
+/// Fields of a foot at rest and at the end of the spin-up.
 struct FieldReport
 {
-  std::vector<fem::FieldFile> files = {}; ///< of both states, written by this rank
+  std::vector<fem::FieldFile> files = {}; ///< written by this rank
   /// Section at rest through the orbit's centre, x > 0 away from the centre; empty if the foot has none.
   std::vector<fem::StressedPatch> stressed_section = {};
 };

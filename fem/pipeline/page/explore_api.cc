@@ -2,6 +2,7 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/contact/footprint.h"
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/page/explorer.h"
@@ -13,6 +14,7 @@
 
 #include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace stemware::pipeline
@@ -164,10 +166,11 @@ const char *explore_curves()
       Results results;
       if (const std::optional<StudyCurves> curves = explorer->curves())
       {
-        const std::vector<double> of_paper = friction_torques(curves->paper);
         Fields<std::size_t> torque = torque_columns(curves->torque);
-        if (!of_paper.empty())
-          torque.add({ "tau_paper", "N m", "", values_in(of_paper), in_picture("paper") });
+        if (!curves->paper.empty())
+          torque.add({ "tau_paper", "N m", "",
+                       [&](std::size_t i) { return curves->paper[i].friction.torque; },
+                       in_picture("paper") });
         add_curves(*curves, torque, spin_up_columns(curves->spin_up, curves->n_first), results);
         add_motion(explorer->study().motion.orbit, explorer->study().glass.profile.contact_radius,
                    curves->spin_up.instants, results);

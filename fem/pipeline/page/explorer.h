@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/revolution/contact_compliance.h"
 
@@ -56,11 +55,12 @@ public:
   /// solves and balances at rest.
   LiveAnswer solve(unsigned int n_harmonics, bool cold);
 
-  /// Returns the curves of the last answer; std::nullopt without a spin.
+  /// Returns the curves of the last answer, up to Motion/End time of the present study; std::nullopt without
+  /// a spin or after a warm start.
   std::optional<StudyCurves> curves();
 
   /// Returns the answers by harmonics and of the models from the paper's to the last answer's; std::nullopt
-  /// before the first answer.
+  /// after a warm start.
   std::optional<StudyRows> models();
 
   /// Returns the pressure of @p contact, the contact of the last answer.

@@ -1,3 +1,4 @@
+#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement_study.h"

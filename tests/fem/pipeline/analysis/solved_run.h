@@ -3,7 +3,6 @@
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/result/verb_results.h"
 
 #include <memory>
@@ -15,8 +14,7 @@ namespace stemware::test
 struct SolvedRun : pipeline::StudyAnswer
 {
   explicit SolvedRun(const pipeline::Study &given, const pipeline::Model &model = {})
-      : pipeline::StudyAnswer{ given }
-      , foot(pipeline::study_foot({ study, {}, model }, pipeline::foot_maker(cache)))
+      : foot(pipeline::study_foot({ given, {}, model }, pipeline::foot_maker(cache)))
   {
     const pipeline::ThreadedExecutor executor(cache);
     pipeline::StudyAnswer::operator=(

@@ -46,7 +46,7 @@ TEST(RunResults, TruncationFileContainsTheRowsOfTheAnalysis)
     EXPECT_EQ(table.number(i, "harmonics (1)"), row.harmonics);
     EXPECT_EQ(table.number(i, "tau_z at rest (N m)"), row.at_rest->friction.torque);
     EXPECT_EQ(table.number(i, "terminal omega (rad/s)"), row.omega_terminal());
-    EXPECT_EQ(table.number(i, "minimum of the load at rest (N/rad)"), row.at_rest->minimum);
+    EXPECT_EQ(table.number(i, "least load at rest (N/rad)"), row.at_rest->minimum);
     EXPECT_EQ(table.number(i, "change of tau_z at half the terminal spin (N m)"), effect.half->change);
     EXPECT_EQ(table.number(i, "change of tau_z at the terminal spin (N m)"), effect.terminal->change);
     EXPECT_EQ(table.number(i, "largest change of tau_z from rest to the terminal spin (N m)"),
