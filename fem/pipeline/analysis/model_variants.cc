@@ -158,9 +158,11 @@ std::vector<Variant> variants_without(const Variant &own, bool depends_on_phase)
   add_if(own.study.motion.orbit.liquid.mass > 0 && own.study.load.has_closure(), "lean of the liquid",
          [](Variant &other) { other.study.motion.orbit.liquid.surface_leans = false; });
   add_if(own.study.motion.grip_torque > 0, "grip",
-         [](Variant &other) { other.study.motion.grip_torque = 0; });
-  if (own.study.motion.grip_torque > 0)
-    variants.back().shared = Shared::load;
+         [](Variant &other)
+         {
+           other.study.motion.grip_torque = 0;
+           other.shared = Shared::load;
+         });
   add_if(own.study.has_waviness(), "waviness",
          [](Variant &other) { other.study.glass.waviness = other.study.table.waviness = {}; });
   return variants;
