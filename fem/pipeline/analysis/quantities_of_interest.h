@@ -65,8 +65,8 @@ QuantityOfInterest spin_quantity(const std::string &key, double value, double ro
 
 /// Returns load_quantities() @p at_rest, the answer_fields() of @p answer with a name in bands (NaN if
 /// missing), the @p torques of friction by spin [rad/s, N m], and @p table_motion at rest (q_0 [m], q_1 and
-/// q_2 [rad]). Keys and order are equal for equally many torques and the same values
-/// in @p at_rest.
+/// q_2 [rad]). Keys and order are equal for equally many torques and the same values in
+/// @p at_rest.
 std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const LoadReport &at_rest,
                                                        const Eigen::Vector3d &table_motion,
                                                        const ring::Answer &answer,
