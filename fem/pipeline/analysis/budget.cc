@@ -17,16 +17,6 @@ std::optional<double> unless_nan(double value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-/// Returns the band of the terminal spin of @p row, which has a contact and a spin; std::nullopt if it cannot
-/// be estimated.
-std::optional<double> band_in(const StudyRows &all, const ring::Answer &row, const SpinBands &bands)
-{
-  const auto difference_to = [&](const std::optional<double> &omega)
-  { return omega ? std::optional(std::abs(row.terminal->omega - *omega)) : std::nullopt; };
-  const std::optional<double> to_all = difference_to(all.answer().omega_terminal());
-  return to_all ? model_band(*to_all, difference_to(all.omega_first_harmonic()), bands) : std::nullopt;
-}
-
 /// Returns the row of @p solved that follows the rows @p above. @p is_complete: true for the study itself.
 BudgetRow row_below(const std::vector<BudgetRow> &above, const ChainStep &step, const std::string &name,
                     const LoadedRow &solved, bool is_complete, const std::optional<double> &band)
@@ -106,6 +96,12 @@ HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::op
   return effect;
 }
 
+HarmonicEffect harmonic_effect(const StudyRows &rows)
+{
+  return harmonic_effect(rows.omega_first_harmonic(), rows.answer().omega_terminal(),
+                         rows.by_harmonics.back().variant.study.spin_scale());
+}
+
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
 {
   std::vector<Variant> variants = model_chain(own);
@@ -116,14 +112,15 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase)
   return variants;
 }
 
-std::optional<double> model_band(double to_all, const std::optional<double> &to_first, const SpinBands &bands)
+std::optional<double> model_band(double omega, const std::optional<double> &omega_all,
+                                 const std::optional<double> &omega_first, const SpinBands &bands)
 {
   const auto &[of_all, of_first] = bands;
-  if (!of_all)
+  if (!of_all || !omega_all)
     return std::nullopt;
-  const double from_all = *of_all + to_all;
-  if (of_first && to_first)
-    return std::min({ std::max(*of_all, *of_first), from_all, *of_first + *to_first });
+  const double to_all = std::abs(omega - *omega_all), from_all = *of_all + to_all;
+  if (of_first && omega_first)
+    return std::min({ std::max(*of_all, *of_first), from_all, *of_first + std::abs(omega - *omega_first) });
   return to_all <= *of_all ? std::optional(from_all) : std::nullopt;
 }
 
@@ -134,9 +131,10 @@ std::vector<BudgetRow> assess_chain(const StudyRows &solved, const SpinBands &ba
   std::vector<BudgetRow> rows;
   const auto add = [&](const ChainStep &step, const std::string &name, const LoadedRow &row, bool is_complete)
   {
-    const bool has_band = step.is_of_contact() && row.row.terminal;
-    rows.push_back(row_below(rows, step, name, row, is_complete,
-                             has_band ? band_in(solved, row.row, bands) : std::nullopt));
+    std::optional<double> band;
+    if (const std::optional<double> omega = row.row.omega_terminal(); omega && step.is_of_contact())
+      band = model_band(*omega, solved.answer().omega_terminal(), solved.omega_first_harmonic(), bands);
+    rows.push_back(row_below(rows, step, name, row, is_complete, band));
   };
   for (const LoadedRow &other : solved.others)
     if (other.variant.is_of_chain())
@@ -160,7 +158,6 @@ Budget find_budget(const StudyRows &rows, const SpinBands &bands)
 {
   const auto &[variant, all, load, torques] = rows.by_harmonics.back();
   Budget budget;
-  budget.shown_spins = rows.torque_spins;
   for (const LoadedRow &solved : rows.others)
     if (solved.variant.kind == VariantKind::without)
       budget.without.push_back(judge_without(solved, all));

@@ -22,7 +22,7 @@ struct BudgetRow
   std::optional<double> omega_terminal = {};  ///< [rad/s]
   std::optional<double> difference = {};      ///< change of the terminal spin from the row above [rad/s]
   std::optional<double> band = {};            ///< half-width for the terminal spin, model_band() [rad/s]
-  std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at Budget::shown_spins [N m]
+  std::array<std::optional<double>, 3> torques = {}; ///< friction's tau_z at LoadedRow::torques [N m]
   ring::Status status = ring::Status::no_balance;    ///< `formal` if lambda < 0 somewhere
   std::string reason = {};                           ///< cause of missing values, or empty
 };
@@ -54,8 +54,6 @@ struct Budget
   std::vector<WithoutRow> without;
   /// Name of each input_variants() with an effect, and its change of the terminal spin [rad/s].
   std::vector<std::pair<std::string, double>> inputs;
-  /// Spins of BudgetRow::torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
-  std::vector<double> shown_spins = {};
 };
 
 /// Returns @p difference over @p reference; 0 if |difference| is below the rounding error 1e-9 @p spin_scale
@@ -68,6 +66,9 @@ std::optional<double> relative_to(const std::optional<double> &reference,
 HarmonicEffect harmonic_effect(const std::optional<double> &first, const std::optional<double> &all,
                                double spin_scale);
 
+/// Returns the effect from the first and the last of the @p rows by harmonics.
+HarmonicEffect harmonic_effect(const StudyRows &rows);
+
 /// Returns model_chain(), variants_without() and input_variants() of @p own, the study itself, for
 /// find_budget(). @p depends_on_phase: true if the load does.
 std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
@@ -75,14 +76,13 @@ std::vector<Variant> budget_variants(const Variant &own, bool depends_on_phase);
 /// Half-widths of the error bands of the terminal spins of all harmonics and of the first [rad/s].
 using SpinBands = std::pair<std::optional<double>, std::optional<double>>;
 
-/// Returns the half-width of the error band of a terminal spin, from the differences @p to_all and @p
-/// to_first (if known) to the terminal spins of all harmonics and of the first, and from their @p bands
-/// [rad/s]. It is the wider of the two bands, but at most either band plus the difference: discretisation
-/// changes small differences only by a fraction. Without band or spin of the first harmonic, a spin has
-/// a band only if its difference to all harmonics is at most their band; without a band of all harmonics,
-/// std::nullopt.
-std::optional<double> model_band(double to_all, const std::optional<double> &to_first,
-                                 const SpinBands &bands);
+/// Returns the half-width of the error band of the terminal spin @p omega of a model with a contact, from the
+/// spins of all harmonics and of the first, and their @p bands [rad/s]: the wider of the two bands, but at
+/// most either band plus the difference of the spins, because discretisation changes small differences only
+/// by a fraction. Without band or spin of the first harmonic, a spin has a band only if its difference to all
+/// harmonics is at most their band; without those of all harmonics, std::nullopt.
+std::optional<double> model_band(double omega, const std::optional<double> &omega_all,
+                                 const std::optional<double> &omega_first, const SpinBands &bands);
 
 /// Returns the chain: the rows of model_chain() among @p rows.others, then the rows by harmonics. Rows with
 /// a contact have the model_band() of @p bands.

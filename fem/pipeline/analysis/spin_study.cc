@@ -264,8 +264,6 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
       result.one_ring = compared_with_full(other.row, result.answer());
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.second);
-  result.harmonics =
-    harmonic_effect(result.rows.omega_first_harmonic(), result.answer().omega_terminal(), study.spin_scale());
   result.curve_error = curve.second.interpolation_error();
   result.spin_up.driven =
     driven_spin_up(study.motion, study.glass.profile.contact_radius, foot, result.spin_up.time, observer);

@@ -77,7 +77,6 @@ struct SpinStudy : StudyCurves
   StudyRows rows = {};
   /// All harmonics on one ring; std::nullopt if the study has one ring.
   std::optional<ring::Answer> one_ring = {};
-  HarmonicEffect harmonics = {};
   ring::TorqueEffects torque_effects = {}; ///< for truncation_orders()
   /// ring::terminal_spins() of the last row; empty with waviness, or for a solid body balanced at every spin.
   std::vector<ring::TerminalSpin> terminal_spins = {};

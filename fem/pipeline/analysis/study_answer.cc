@@ -102,9 +102,11 @@ const Fields<StudyAnswer> &study_quantities()
                              found.study.glass.profile.contact_radius);
       },
       in_column("terminal spin, the paper's model") },
-    { "harmonic_effect", "rad/s", "", [](const Found &found) { return found.spin.harmonics.absolute; },
+    { "harmonic_effect", "rad/s", "",
+      [](const Found &found) { return harmonic_effect(found.spin.rows).absolute; },
       in_column("effect of the higher harmonics"), on_page("effect of the higher harmonics"), in_bands() },
-    { "harmonic_effect_relative", "1", "", [](const Found &found) { return found.spin.harmonics.relative; },
+    { "harmonic_effect_relative", "1", "",
+      [](const Found &found) { return harmonic_effect(found.spin.rows).relative; },
       in_column("relative effect of the higher harmonics") },
     { "torque_change_half", "N m", "", torque_change(&ring::TorqueEffect::half, false),
       in_column("effect of the higher harmonics on the torque of friction at half the terminal spin") },

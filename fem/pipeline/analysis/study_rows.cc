@@ -155,22 +155,22 @@ StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, De
   question.with_slope = true;
   question.observer = motion_observer(executor.progress);
   LoadedRow whole = { analysis.own(), ring::answer(load, question).value(), load };
-  StudyRows rows;
+  std::vector<double> torque_spins;
   if (depth == Depth::full)
   {
     const std::optional<double> omega = whole.row.omega_terminal();
-    rows.torque_spins = { 0 };
+    torque_spins = { 0 };
     if (omega)
-      rows.torque_spins.push_back(*omega / 2 + 0.); // + 0. avoids -0
+      torque_spins.push_back(*omega / 2 + 0.); // + 0. avoids -0
     std::string reason;
-    whole.torques = ring::torque_curve(load, question, rows.torque_spins, &reason);
+    whole.torques = ring::torque_curve(load, question, torque_spins, &reason);
     if (whole.row.reason.empty())
       whole.row.reason = reason;
     if (omega)
     {
       // With waviness, the terminal spin is a mean over time, but at_terminal is the state at the zero of the
       // mean torque.
-      rows.torque_spins.push_back(*omega + 0.);
+      torque_spins.push_back(*omega + 0.);
       whole.torques.push_back(*whole.row.at_terminal);
     }
   }
@@ -191,8 +191,8 @@ StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, De
     fewer.shared = has_own_balance ? Shared::foot : Shared::load;
   }
   variants.insert(variants.end(), others.begin(), others.end());
-  std::vector<LoadedRow> solved =
-    solve_rows(variants, foot, question, executor, whole.load, rows.torque_spins);
+  std::vector<LoadedRow> solved = solve_rows(variants, foot, question, executor, whole.load, torque_spins);
+  StudyRows rows;
   const auto first_other = solved.begin() + static_cast<std::ptrdiff_t>(orders.size()) - 1;
   rows.by_harmonics.assign(std::make_move_iterator(solved.begin()), std::make_move_iterator(first_other));
   rows.others.assign(std::make_move_iterator(first_other), std::make_move_iterator(solved.end()));

@@ -17,8 +17,9 @@ struct LoadedRow
 {
   Variant variant = {};
   ring::Answer row = {};
-  std::optional<ring::Load> load = {};     ///< std::nullopt if the load failed (Answer::reason), in SpinStudy
-  std::vector<ring::Torques> torques = {}; ///< at StudyRows::torque_spins, for rows of the chain
+  std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed (Answer::reason), in SpinStudy
+  /// Of rows of the chain: at 0, 0.5 and 1 times the terminal spin of the study; only at 0 if the glass tips.
+  std::vector<ring::Torques> torques = {};
 };
 
 /// Answers of one study.
@@ -26,8 +27,6 @@ struct StudyRows
 {
   std::vector<LoadedRow> by_harmonics; ///< first harmonic first; all harmonics, the study itself, last
   std::vector<LoadedRow> others;       ///< further variants
-  /// Spins of the torques: 0, 0.5 and 1 times the terminal spin; only 0 if the glass tips [rad/s].
-  std::vector<double> torque_spins = {};
 
   /// Returns the answer with all harmonics.
   const ring::Answer &answer() const { return by_harmonics.back().row; }
@@ -70,7 +69,7 @@ std::vector<unsigned int> truncation_orders(unsigned int n_all);
 /// Returns the rows for truncation_orders() of @p load, find_load() of the analysed study; all harmonics
 /// last. Fewer harmonics have their own balance if the load is two-way, else the truncated load; each row is
 /// compared with the last. Only the rows of one and of all harmonics are solved with Depth::answer, and for
-/// slow balances (solid body, waviness). Depth::full adds torques at StudyRows::torque_spins. @p others are
+/// slow balances (solid body, waviness). Depth::full adds LoadedRow::torques. @p others are
 /// solved with the rows, so that no thread idles. Throws as @p load, and if all harmonics have no answer; if
 /// the glass tips during the spin-up, the last row has a `fall`, and no row is compared with it.
 StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, Depth depth = Depth::full,

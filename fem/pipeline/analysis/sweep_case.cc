@@ -102,8 +102,6 @@ CaseResult case_result(const Analysis &analysis)
   StudyAnswer answer = { study };
   SpinStudy &spin = answer.spin;
   spin.rows = rows_by_harmonics(analysis, load, Depth::answer);
-  spin.harmonics =
-    harmonic_effect(spin.rows.omega_first_harmonic(), spin.answer().omega_terminal(), study.spin_scale());
   spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.answer(), { load.n_harmonics() });
   answer.contact.load = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);

@@ -189,8 +189,7 @@ const char *explore_budget()
       if (const std::optional<StudyRows> models = explorer->models())
       {
         results.tables["waterfall"] = chain_fields().json(named_steps(assess_chain(*models)));
-        effect = harmonic_effect(models->omega_first_harmonic(), models->answer().omega_terminal(),
-                                 models->by_harmonics.back().variant.study.spin_scale());
+        effect = harmonic_effect(*models);
       }
       const Json summary = { { "harmonic_effect", harmonic_effect_fields().json(effect) } };
       return Json{ { "document", document_of(results, summary) } };

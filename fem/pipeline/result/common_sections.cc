@@ -81,7 +81,7 @@ const Fields<StudyAnswer> &harmonics_fields()
     { "load", "The load on the table at rest.", load_fields(),
       [](const Answer &answer) { return answer.contact.load; } },
     { "harmonic_effect", "Effect of the harmonics beyond the first on the terminal spin.",
-      harmonic_effect_fields(), [](const Answer &answer) { return answer.spin.harmonics; } },
+      harmonic_effect_fields(), [](const Answer &answer) { return harmonic_effect(answer.spin.rows); } },
     { "torque_effect",
       "Effect of all harmonics beyond the first on the torque of friction; null if the load has one "
       "harmonic.",

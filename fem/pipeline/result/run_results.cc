@@ -249,14 +249,15 @@ std::vector<std::variant<std::string, Table>> console_of(const StudyAnswer &answ
 Results run_results(const StudyAnswer &answer)
 {
   const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
+  const HarmonicEffect effect = harmonic_effect(spin.rows);
   Results results = begun_results(study, "how fast it spins");
   results.summary = run_fields().json(answer);
   results.key_figures = { { "tau_at_rest", spin.answer().at_rest.value().friction.torque },
                           { "omega_terminal", spin.answer().omega_terminal() },
                           { "omega_terminal_band", band_of(bands, "omega_terminal") },
                           { "omega_terminal_first_harmonic", spin.rows.omega_first_harmonic() },
-                          { "harmonic_effect", spin.harmonics.absolute },
-                          { "harmonic_effect_relative", spin.harmonics.relative } };
+                          { "harmonic_effect", effect.absolute },
+                          { "harmonic_effect_relative", effect.relative } };
   results.words.update(run_words(answer));
   add_spin(answer, results);
   if (budget)

@@ -112,7 +112,8 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
   if (spin.rows.by_harmonics.size() > 1)
   {
     append(text, torque_effect_sentence(spin.torque_effects));
-    append(text, harmonic_effect_sentence(study, spin.harmonics, band_of(bands, "harmonic_effect")));
+    append(text,
+           harmonic_effect_sentence(study, harmonic_effect(spin.rows), band_of(bands, "harmonic_effect")));
   }
   if (budget)
   {

@@ -62,7 +62,7 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
                   (first ? "to " + format::spin(*first) + " rad/s with the first harmonic only."
                          : "and has no terminal spin with the first harmonic only."));
   append(text, torque_effect_sentence(spin.torque_effects));
-  append(text, harmonic_effect_sentence(study, spin.harmonics));
+  append(text, harmonic_effect_sentence(study, harmonic_effect(spin.rows)));
   append(text, "From " + std::to_string(n_enough) + " harmonics on, the spin is accurate to 1e-4.");
   return text;
 }
@@ -89,11 +89,12 @@ Results truncation_results(const StudyAnswer &answer)
   const std::optional<double> omega = spin.answer().omega_terminal();
   const unsigned int n_enough = harmonics_enough(spin.rows, 1e-4);
   const std::vector<Truncation> truncations = truncations_of(answer);
+  const HarmonicEffect effect = harmonic_effect(spin.rows);
   Results results = begun_results(study, "how many harmonics of the load matter");
   results.summary = truncate_fields().json(answer);
   results.key_figures = { { "omega_terminal", omega },
-                          { "harmonic_effect", spin.harmonics.absolute },
-                          { "harmonic_effect_relative", spin.harmonics.relative },
+                          { "harmonic_effect", effect.absolute },
+                          { "harmonic_effect_relative", effect.relative },
                           { "harmonics_for_1e-4", omega ? Json(n_enough) : Json(nullptr) } };
   results.words["answer"] = answer_of(answer, n_enough);
   add_load_lines(contact.load, results);

@@ -42,8 +42,8 @@ TEST(Balance, HarmonicsHaveNoEffectOnAFlatLandOnAMat)
     EXPECT_TRUE(is_loaded_everywhere(solved));
     fem::ComplianceCache cache;
     const SpinStudy spin = test::whole_spin_study(solved.study, ThreadedExecutor(cache));
-    EXPECT_NEAR(*spin.harmonics.absolute, 0, 1e-9);
-    EXPECT_NEAR(*spin.harmonics.relative, 0, 1e-9);
+    EXPECT_NEAR(*harmonic_effect(spin.rows).absolute, 0, 1e-9);
+    EXPECT_NEAR(*harmonic_effect(spin.rows).relative, 0, 1e-9);
     EXPECT_NEAR(*find_budget(spin.rows).rows.back().omega_terminal, solved.omega(), 1e-9);
   }
 }

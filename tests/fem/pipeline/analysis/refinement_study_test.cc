@@ -256,7 +256,7 @@ TEST(ErrorBands, OfModelsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
 {
   const double omega = -3.65, omega_first = -3.7;
   const auto band_at = [&](double spin, const SpinBands &bands)
-  { return model_band(std::abs(spin - omega), std::abs(spin - omega_first), bands); };
+  { return model_band(spin, omega, omega_first, bands); };
   const SpinBands both = { 1e-3, 3e-3 };
   for (const double spin : { omega_first, -3.6 })
     EXPECT_NEAR(band_at(spin, both).value(), 3e-3, 1e-12) << spin;
@@ -266,6 +266,7 @@ TEST(ErrorBands, OfModelsAreDerivedFromTheBandsOfTheFirstAndOfAllHarmonics)
   EXPECT_FALSE(band_at(omega_first, { 1e-3, {} }));
   EXPECT_NEAR(band_at(-3.6501, { 1e-3, {} }).value(), 1.1e-3, 1e-12);
   EXPECT_FALSE(band_at(omega, {}));
+  EXPECT_FALSE(model_band(omega, {}, omega_first, both));
 }
 
 TEST(ErrorBands, MessageOfAFailedRefinementNamesTheDegree)

@@ -168,7 +168,7 @@ TEST(SpinStudy, ReportsTippingDuringTheSpinUp)
   const Budget budget = find_budget(fallen.rows);
   EXPECT_FALSE(budget.rows.back().omega_terminal);
   EXPECT_EQ(budget.rows.back().status, ring::Status::tips);
-  EXPECT_FALSE(fallen.harmonics.absolute);
+  EXPECT_FALSE(harmonic_effect(fallen.rows).absolute);
 
   const auto time_per_spin = [&](double omega)
   {

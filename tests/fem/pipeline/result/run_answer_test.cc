@@ -40,7 +40,6 @@ struct SpunStudy : StudyAnswer
                      { { 2 }, "moment balance", 1, -3.5, -0.5 },
                      { { 3 }, "where the foot touches", 1, -3.4, 0.1 },
                      { { 4 }, "harmonics", {}, -3.25, 0.15 } };
-    spin.harmonics = { 0.15, -0.15 / 3.4 };
     budget->without = { { "tilt", -3.24, 0.01, "" },
                         { "grip", -3.3, -0.05, "" },
                         { "compliance of the interface", {}, {}, "not defined" } };
@@ -108,8 +107,8 @@ TEST(RunAnswer, OmitsThePercentageIfTheSpinChangesSign)
   SpunStudy turned;
   turned.budget->rows[1].omega_terminal = 3.5;
   turned.budget->rows[1].difference = 6.5; // the difference from -3 to a positive spin
-  turned.spin.harmonics = harmonic_effect(3.4, -3.25, 11.7);
-  EXPECT_FALSE(turned.spin.harmonics.relative);
+  turned.spin.rows.by_harmonics.front().row.terminal->omega = 3.4;
+  EXPECT_FALSE(harmonic_effect(turned.spin.rows).relative);
   EXPECT_NE(turned.answer().find("by -6.65 rad/s."), std::string::npos) << turned.answer();
   EXPECT_NE(turned.answer().find("\"moment balance\": +6.5 rad/s."), std::string::npos) << turned.answer();
 }

@@ -119,7 +119,7 @@ TEST(RunResults, SummaryContainsTheBudgetOfTheAnalysis)
   ASSERT_EQ(without.size(), budget.without.size());
   for (std::size_t i = 0; i < without.size(); ++i)
     EXPECT_EQ(without[i]["omega_terminal"], budget.without[i].omega_terminal.value());
-  EXPECT_EQ(summary["harmonic_effect"]["relative"], solved_run().spin.harmonics.relative.value());
+  EXPECT_EQ(summary["harmonic_effect"]["relative"], harmonic_effect(solved_run().spin.rows).relative.value());
   EXPECT_EQ(summary["torque_effect"]["largest"],
             solved_run().spin.torque_effects.rows.back().largest.value());
 }
