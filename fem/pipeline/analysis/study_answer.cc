@@ -1,5 +1,6 @@
 #include "fem/pipeline/analysis/study_answer.h"
 
+#include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/spin/answer.h"
 
