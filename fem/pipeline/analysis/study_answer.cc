@@ -117,6 +117,10 @@ const Fields<StudyAnswer> &study_quantities()
       in_column("effect of the higher harmonics on the torque of friction at the terminal spin") },
     { "torque_change_terminal_relative", "1", "", torque_change(&ring::TorqueEffect::terminal, true),
       in_column("the same over the torque at rest") },
+    { "torque_change_largest", "N m", "",
+      [](const Found &found) { return found.spin.torque_effects.rows.back().largest; },
+      in_column(
+        "largest effect of the higher harmonics on the torque of friction, from rest to the terminal spin") },
     { "held", "1", "",
       [](const Found &found)
       {

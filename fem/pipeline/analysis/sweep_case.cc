@@ -8,7 +8,9 @@
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
+#include "ring_model/spin/curves.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -102,7 +104,11 @@ CaseResult case_result(const Analysis &analysis)
   StudyAnswer answer = { study };
   SpinStudy &spin = answer.spin;
   spin.rows = rows_by_harmonics(analysis, load, Depth::answer);
-  spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.answer(), { load.n_harmonics() });
+  std::optional<ring::Load> curve; // up to tipping, it would take as long as the search for this spin
+  if (const std::optional<double> omega = spin.answer().omega_terminal())
+    curve = ring::interpolated_for_curves(load, spin.answer(), std::min(0., *omega), std::max(0., *omega));
+  spin.torque_effects = ring::torque_effects(load, study.motion.orbit, spin.answer(), { load.n_harmonics() },
+                                             curve ? &*curve : nullptr);
   answer.contact.load = load.report();
   const std::optional<fem::ContactState> contact = load.contact(0);
   const bool is_formal = !contact && spin.answer().status == ring::Status::formal;

@@ -1,9 +1,12 @@
 """Effect of each harmonic on tau_z against plain quadrature of the program's own load: no kernels, numpy only."""
+import os
 import unittest
 
 import numpy as np
 
 import stemware
+
+soft_cork = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../../../docs/cookbooks/soft_cork.prm")
 
 
 def torque(load, n, omega, mu, speed):
@@ -44,6 +47,28 @@ class EffectOfHarmonics(unittest.TestCase):
     def test_at_half_the_terminal_spin(self):  # one-way, so that the load at rest is the load at every spin
         summary = stemware.Study(entries={"Load/Coupling": "one-way"}).run(quick=True).document
         self.compare(summary, summary["load"], summary["ring"]["omega_terminal"] / 2, "half")
+
+    def test_the_largest_over_all_spins(self):  # one-way; 1e-10 of the torque at rest: as above
+        study = stemware.Study(entries={"Load/Coupling": "one-way"})
+        summary = study.run(quick=True).document
+        load, found = summary["load"], summary["truncation"][-1]["torque_change"]
+
+        def change(omega):
+            return torque(load, 1000, omega, 0.3, 0.35) - torque(load, 1, omega, 0.3, 0.35)
+
+        rounding = 1e-10 * abs(torque(load, 1, 0.0, 0.3, 0.35))
+        self.assertAlmostEqual(found["largest"], change(found["largest_at"]), delta=rounding)
+        for omega in np.linspace(0, summary["ring"]["omega_terminal"], 12):
+            self.assertLess(abs(change(omega)), abs(found["largest"]) + rounding)
+        self.assertAlmostEqual(study.answer()["torque_change_largest"], found["largest"], delta=rounding)
+
+    def test_the_largest_of_run_and_of_a_case_agree(self):  # 1e-6: tolerance of the interpolated load
+        study = stemware.Study(soft_cork)
+        run, case = study.run(quick=True).document, study.answer()
+        at_rest = abs(run["ring"]["tau_at_rest"])
+        largest = run["truncation"][-1]["torque_change"]["largest"]
+        self.assertAlmostEqual(case["torque_change_largest"], largest, delta=1e-6 * at_rest)
+        self.assertGreater(abs(largest), 1e-3 * at_rest)
 
 
 def ring_torque(spin, centre=0.08, mu=0.3, hand=0.03, mass=0.3, radius=0.03, speed=0.35, orbit=0.15):
