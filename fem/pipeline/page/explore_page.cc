@@ -32,29 +32,24 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Compliance in the compressed form of the page, which is five times smaller than compressed floats. The
-/// numbers of each kind (normal, radial, azimuthal) are integer multiples of a step, 2^-bits of the largest
-/// number. Each integer is predicted from the previous harmonic and from its neighbours at smaller row and
-/// column numbers. The residual is small, because compliances vary smoothly. Residuals are mapped to unsigned
-/// numbers and stored in four passes: the lowest bytes of all numbers, then the next higher bytes.
+/// Compliance in the compressed form of the page, which is four times smaller than compressed floats. The
+/// numbers are integer multiples of a step, 2^-bits of the largest number. The change of each integer from
+/// the previous harmonic is predicted by the change of the integer before it. The residual is small, because
+/// compliances vary smoothly. Residuals are mapped to unsigned numbers and stored in four passes: the lowest
+/// bytes of all numbers, then the next higher bytes.
 class PagedCompliance
 {
 public:
   PagedCompliance(const fem::ContactCompliance &compliance, int bits)
       : given(serialized(compliance))
-      , n(compliance.n_nodes())
-      , n_matrices(compliance.n_harmonics() + 2)
+      , head(6 + compliance.n_nodes())
+      , n_of_harmonic((given.size() - head) / (compliance.n_harmonics() + 2))
   {
-    for (std::size_t m = 0; m < n_matrices; ++m)
-      for (std::size_t kind = 0; kind < 3; ++kind)
-        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
-          steps[kind] = std::max(steps[kind], std::abs(given[i]));
-    for (double &step : steps)
-      step = std::ldexp(step > 0 ? step : 1, -bits);
-    for (std::size_t m = 0; m < n_matrices; ++m)
-      for (std::size_t kind = 0; kind < 3; ++kind)
-        for (std::size_t i = begin(m, kind); i < begin(m, kind) + size(kind); ++i)
-          given[i] = std::nearbyint(given[i] / steps[kind]) * steps[kind];
+    for (std::size_t i = head; i < given.size(); ++i)
+      step = std::max(step, std::abs(given[i]));
+    step = std::ldexp(step, -bits);
+    for (std::size_t i = head; i < given.size(); ++i)
+      given[i] = std::nearbyint(given[i] / step) * step;
   }
 
   /// Returns the quantised numbers in the format of fem::serialized(), as input of an Explorer.
@@ -62,20 +57,17 @@ public:
 
   std::string bytes() const
   {
-    std::string result(reinterpret_cast<const char *>(given.data()), head() * sizeof(double));
-    result.append(reinterpret_cast<const char *>(steps.data()), sizeof steps);
+    std::string result(reinterpret_cast<const char *>(given.data()), head * sizeof(double));
+    result.append(reinterpret_cast<const char *>(&step), sizeof step);
     std::vector<std::uint32_t> left;
-    for (std::size_t m = 0; m < n_matrices; ++m)
-      for (std::size_t kind = 0; kind < 3; ++kind)
-        for (std::size_t j = 0; j < n; ++j)
-          for (std::size_t i = kind == 0 ? j : 0; i < n; ++i)
-          {
-            // The arithmetic is modulo 2^32.
-            const std::uint32_t rest = change(m, kind, i, j) - (i > 0 ? change(m, kind, i - 1, j) : 0) -
-                                       (j > 0 ? change(m, kind, i, j - 1) : 0) +
-                                       (i > 0 && j > 0 ? change(m, kind, i - 1, j - 1) : 0);
-            left.push_back(rest >> 31 ? ~(rest << 1) : rest << 1);
-          }
+    std::uint32_t last = 0;
+    for (std::size_t i = head; i < given.size(); ++i)
+    {
+      // The arithmetic is modulo 2^32.
+      const std::uint32_t change = whole(i) - (i < head + n_of_harmonic ? 0 : whole(i - n_of_harmonic));
+      const std::uint32_t rest = change - std::exchange(last, change);
+      left.push_back(rest >> 31 ? ~(rest << 1) : rest << 1);
+    }
     for (unsigned int shift = 0; shift < 32; shift += 8)
       for (const std::uint32_t number : left)
         result += static_cast<char>(number >> shift & 255);
@@ -84,33 +76,14 @@ public:
   }
 
 private:
-  std::size_t head() const { return 6 + n; }
-  std::size_t size(std::size_t kind) const { return kind == 0 ? n * (n + 1) / 2 : n * n; }
-  /// Returns the index in numbers() of the first number of the given kind of matrix @p m.
-  std::size_t begin(std::size_t m, std::size_t kind) const
+  std::uint32_t whole(std::size_t i) const
   {
-    std::size_t place = head() + m * (size(0) + 2 * size(1));
-    for (std::size_t k = 0; k < kind; ++k)
-      place += size(k);
-    return place;
-  }
-  std::uint32_t whole(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
-  {
-    if (kind == 0 && i < j)
-      std::swap(i, j);
-    const std::size_t place = kind == 0 ? j * n - j * (j + 1) / 2 + i : j * n + i;
-    return static_cast<std::uint32_t>(
-      static_cast<std::int64_t>(std::llround(given[begin(m, kind) + place] / steps[kind])));
-  }
-  /// Returns whole() minus the integer at the same position in the previous matrix, if there is one.
-  std::uint32_t change(std::size_t m, std::size_t kind, std::size_t i, std::size_t j) const
-  {
-    return whole(m, kind, i, j) - (m > 0 ? whole(m - 1, kind, i, j) : 0);
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>(std::llround(given[i] / step)));
   }
 
   std::vector<double> given;
-  std::array<double, 3> steps = {};
-  std::size_t n, n_matrices;
+  std::size_t head, n_of_harmonic;
+  double step = 0;
 };
 
 std::vector<std::string> entries_of(const Preset &preset)

@@ -34,41 +34,25 @@ function called(name, ...texts) {
 }
 const set = (path, value) => called('explore_set', path, value);
 
-// Unpacks a compliance of explore_page.cc: head and steps, then the prediction residuals byte by byte.
+// Unpacks a compliance of explore_page.cc: head and step, then the prediction residuals byte by byte.
 function take(index, is_disc) {
   const at = data.bodies[index],
     doubles = (from, count) => new Float64Array(bodies.slice(from, from + 8 * count).buffer);
   const [n, , harmonics] = doubles(at, 3),
     head = 6 + n,
-    steps = doubles(at + 8 * head, 3),
-    of = kind => (kind ? n * n : (n * (n + 1)) / 2);
-  const count = (harmonics + 2) * (of(0) + 2 * of(1)),
+    [step] = doubles(at + 8 * head, 1),
+    size = (n * (n + 1)) / 2 + 2 * n * n,
+    count = (harmonics + 2) * size,
     numbers = new Float64Array(head + count),
-    from = at + 8 * (head + 3);
+    from = at + 8 * (head + 1),
+    whole = new Int32Array(size); // of the present harmonic
   numbers.set(doubles(at, head));
-  const change = new Int32Array(n * n),
-    sum = [0, 1, 2].map(() => new Int32Array(n * n));
-  for (let m = 0, place = 0; m < harmonics + 2; ++m)
-    for (let kind = 0; kind < 3; ++kind)
-      for (let j = 0; j < n; ++j)
-        for (let i = 0; i < n; ++i) {
-          let c;
-          if (!kind && i < j) c = change[i * n + j];
-          else {
-            let z = 0;
-            for (let b = 0; b < 4; ++b) z |= bodies[from + b * count + place] << (8 * b);
-            const left = (z >>> 1) ^ -(z & 1);
-            c =
-              (left +
-                (i ? change[j * n + i - 1] : 0) +
-                (j ? change[(j - 1) * n + i] : 0) -
-                (i && j ? change[(j - 1) * n + i - 1] : 0)) |
-              0;
-          }
-          change[j * n + i] = c;
-          const whole = (sum[kind][j * n + i] = (sum[kind][j * n + i] + c) | 0);
-          if (kind || i >= j) numbers[head + place++] = whole * steps[kind];
-        }
+  for (let place = 0, change = 0; place < count; ++place) {
+    let z = 0;
+    for (let b = 0; b < 4; ++b) z |= bodies[from + b * count + place] << (8 * b);
+    change = (change + ((z >>> 1) ^ -(z & 1))) | 0;
+    numbers[head + place] = (whole[place % size] += change) * step;
+  }
   const spot = solver.malloc(numbers.length * 8);
   new Float64Array(solver.memory.buffer, spot, numbers.length).set(numbers);
   solver.explore_take(spot, is_disc ? 1 : 0);
