@@ -96,12 +96,11 @@ std::vector<std::string> entries_of(const Preset &preset)
   return paths;
 }
 
-Study study_of(const PageOptions &options, const Preset *glass, const Preset *table)
+Study study_of(const PageOptions &options, const Preset &glass, const Preset &table)
 {
   Study study = options.study;
-  for (const Preset *preset : { glass, table })
-    if (preset)
-      read_prm(preset->name, preset->text, study_entries(study));
+  for (const Preset *preset : { &glass, &table })
+    read_prm(preset->name, preset->text, study_entries(study));
   check_study(study);
   return study;
 }
@@ -133,28 +132,6 @@ ring::Answer answer_in_page(const std::vector<StudyEntry> &own, double fineness,
   return explorer.solve(all_harmonics, true).full.value();
 }
 
-class Bodies
-{
-public:
-  std::size_t add(const PagedCompliance &compliance)
-  {
-    const std::string own = compliance.bytes();
-    const auto [place, is_new] = known.emplace(own, known.size());
-    if (is_new)
-    {
-      places.push_back(bytes.size());
-      bytes += own;
-    }
-    return place->second;
-  }
-
-  std::string bytes;
-  Json places = Json::array();
-
-private:
-  std::map<std::string, std::size_t> known;
-};
-
 /// Returns a discretisation whose focused mesh has at most @p max_nodes contact nodes; 0: no limit.
 Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::ComplianceCache &cache)
 {
@@ -166,24 +143,18 @@ Discretisation coarsened(const Study &study, unsigned int max_nodes, fem::Compli
   return mesh;
 }
 
-Json buttons(const std::vector<Preset> &presets, const std::string &own)
+Json buttons(const std::vector<Preset> &presets)
 {
   Json list = Json::array();
   for (const Preset &preset : presets)
     list.push_back({ { "name", preset.name }, { "words", preset.words }, { "sets", entries_of(preset) } });
-  if (presets.empty())
-    list.push_back({ { "name", own }, { "words", "" }, { "sets", Json::array() } });
   return list;
 }
 
-/// Returns pointers to @p presets. If there are none, returns a single nullptr, which means the study's own
-/// glass or table.
-std::vector<const Preset *> each_of(const std::vector<Preset> &presets)
+/// Returns @p presets. If there are none, returns one without entries, which means the study's own @p part.
+std::vector<Preset> selectable(const std::vector<Preset> &presets, const std::string &part)
 {
-  std::vector<const Preset *> list;
-  for (const Preset &preset : presets)
-    list.push_back(&preset);
-  return list.empty() ? std::vector<const Preset *>{ nullptr } : list;
+  return presets.empty() ? std::vector<Preset>{ { part + " of the study", "", {}, "" } } : presets;
 }
 
 /// Maximum error of a pair's terminal spin due to quantisation [rad/s], before a slider is moved. At other
@@ -213,7 +184,7 @@ struct SolvedPair
 };
 
 /// Solves a pair. Quantises its compliances with the smallest number of bits that meets `tolerance`.
-SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Preset *table,
+SolvedPair solve_pair(const PageOptions &options, const Preset &glass, const Preset &table,
                       fem::ComplianceCache &cache)
 {
   const Study study = study_of(options, glass, table);
@@ -233,16 +204,8 @@ SolvedPair solve_pair(const PageOptions &options, const Preset *glass, const Pre
     const double error = std::abs(here.last_spin().value() - program.last_spin().value());
     if (!is_coarse && bits < 30 && error > tolerance)
       continue;
-    SolvedPair pair = { glass ? glass->name : "glass of the study",
-                        table ? table->name : "table of the study",
-                        study,
-                        of_foot.n_nodes(),
-                        mesh.fineness,
-                        foot,
-                        disc,
-                        {},
-                        program.omega_terminal(),
-                        here.omega_terminal() };
+    SolvedPair pair = { glass.name, table.name, study, of_foot.n_nodes(),        mesh.fineness,
+                        foot,       disc,       {},    program.omega_terminal(), here.omega_terminal() };
     if (is_coarse)
       pair.band = 2 * error;
     if (disc)
@@ -315,17 +278,23 @@ std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache
                          const std::function<void(const std::string &)> &report)
 {
   const std::string solver = live_solver();
-  std::vector<std::pair<const Preset *, const Preset *>> wanted;
-  for (const Preset *glass : each_of(options.glasses))
-    for (const Preset *table : each_of(options.tables))
-      wanted.emplace_back(glass, table);
-  std::vector<std::optional<SolvedPair>> solved(wanted.size());
+  const std::vector<Preset> glasses = selectable(options.glasses, "glass"),
+                            tables = selectable(options.tables, "table");
+  std::vector<std::optional<SolvedPair>> solved(glasses.size() * tables.size());
   ThreadedExecutor(cache, options.n_threads)
-    .for_each(wanted.size(), [&](std::size_t i)
-              { solved[i] = solve_pair(options, wanted[i].first, wanted[i].second, cache); });
+    .for_each(solved.size(),
+              [&](std::size_t i) {
+                solved[i] = solve_pair(options, glasses[i / tables.size()], tables[i % tables.size()], cache);
+              });
 
-  Bodies bodies;
-  Json pairs, entries;
+  std::string bodies;
+  Json pairs, entries, places = Json::array();
+  const auto add_body = [&](const PagedCompliance &compliance)
+  {
+    places.push_back(bodies.size());
+    bodies += compliance.bytes();
+    return places.size() - 1;
+  };
   std::string spins;
   for (const std::optional<SolvedPair> &pair : solved)
   {
@@ -335,12 +304,11 @@ std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache
       if (entry.has_effect)
         acting.push_back(entry.path());
     for (const auto &[radius, disc] : pair->discs)
-      discs.push_back({ rounded(radius, 6), bodies.add(disc) });
+      discs.push_back({ rounded(radius, 6), add_body(disc) });
     pairs[pair->glass + '|' + pair->table] = { { "values", values_of(own) },
                                                { "acts", acting },
-                                               { "foot", bodies.add(pair->foot) },
-                                               { "disc",
-                                                 pair->disc ? Json(bodies.add(*pair->disc)) : Json() },
+                                               { "foot", add_body(pair->foot) },
+                                               { "disc", pair->disc ? Json(add_body(*pair->disc)) : Json() },
                                                { "discs", discs },
                                                { "fineness", pair->fineness },
                                                { "nodes", pair->n_nodes },
@@ -357,12 +325,12 @@ std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache
   const Json data = { { "version", program_version() },
                       { "tolerance", tolerance },
                       { "near_band", close_mesh_band },
-                      { "glasses", buttons(options.glasses, "glass of the study") },
-                      { "tables", buttons(options.tables, "table of the study") },
+                      { "glasses", buttons(glasses) },
+                      { "tables", buttons(tables) },
                       { "entries", entries },
                       { "pairs", pairs },
-                      { "bodies", bodies.places } };
-  return live_page(data, compressed_base64(bodies.bytes), solver, "The spinning wine glass",
+                      { "bodies", places } };
+  return live_page(data, compressed_base64(bodies), solver, "The spinning wine glass",
                    "Terminal spins by stemware run: " + spins + '.');
 }
 
