@@ -22,15 +22,6 @@ namespace fs = std::filesystem;
 namespace
 {
 
-void require_finite(const Json &value, const std::string &path)
-{
-  if (value.is_number_float() && !std::isfinite(value.get<double>()))
-    throw std::runtime_error("The result " + path + " is not a finite number; please report this study.");
-  if (value.is_structured())
-    for (const auto &[key, part] : value.items())
-      require_finite(part, fmt::format(FMT_STRING("{}/{}"), path, key));
-}
-
 /// Writes the files into the subfolder "fields" of @p folder. Precondition: the file system of @p folder is
 /// shared by all ranks.
 void write_fields(const std::vector<fem::FieldFile> &fields, const fs::path &folder)
@@ -113,7 +104,11 @@ Json summary_of(const std::string &verb, const Results &results)
                    { "verb", verb },
                    { "parameters", study_as_json(entries_of(results.study)) } };
   summary.update(results.summary);
-  require_finite(summary, "summary");
+  const Json flat = summary.flatten();
+  for (const auto &[path, value] : flat.items())
+    if (value.is_number_float() && !std::isfinite(value.get<double>()))
+      throw std::runtime_error("The result summary" + path +
+                               " is not a finite number; please report this study.");
   return summary;
 }
 
