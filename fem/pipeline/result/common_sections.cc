@@ -74,10 +74,10 @@ std::vector<Truncation> truncations_of(const StudyAnswer &answer)
   return truncations_of(answer.spin.rows, answer.spin.torque_effects, answer.study.spin_scale());
 }
 
-const Fields<StudyAnswer> &harmonics_fields()
+Fields<StudyAnswer> harmonics_fields()
 {
   using Answer = StudyAnswer;
-  static const auto fields = Fields<Answer>{
+  return {
     { "load", "The load on the table at rest.", load_fields(),
       [](const Answer &answer) { return answer.contact.load; } },
     { "harmonic_effect", "Effect of the harmonics beyond the first on the terminal spin.",
@@ -97,7 +97,6 @@ const Fields<StudyAnswer> &harmonics_fields()
       "solved.",
       truncation_fields(), [](const Answer &answer) { return truncations_of(answer); } }
   };
-  return fields;
 }
 
 void add_truncations(const StudyAnswer &answer, Results &results)

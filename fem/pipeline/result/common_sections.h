@@ -21,10 +21,10 @@ Fields<BandedQuantity> band_fields(bool with_richardson);
 std::vector<Truncation> truncations_of(const StudyAnswer &answer);
 
 /// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
-const Fields<StudyAnswer> &harmonics_fields();
+Fields<StudyAnswer> harmonics_fields();
 
 /// Returns the summary of `run`.
-const Fields<StudyAnswer> &run_fields();
+Fields<StudyAnswer> run_fields();
 
 // ---- tables of the page
 

@@ -24,28 +24,26 @@ struct ConvergeRow
   const ErrorBands &bands;
 };
 
-const Fields<ConvergeRow> &converge_fields()
+Fields<ConvergeRow> converge_fields()
 {
   using Axis = RefinementAxis;
   using Sequence = RefinementSequence;
-  static const auto sequence_fields =
+  const auto sequence_fields =
     Fields<Sequence>{ { "values", "", "Its values.", &Sequence::values },
                       { "order", "", "Observed order.", &Sequence::order },
                       { "limit", "", "Limit of the values.", &Sequence::limit },
                       { "bands", "", "Half-widths of the error bands.", &Sequence::bands } };
-  static const auto axis_fields =
+  const auto axis_fields =
     Fields<Axis>{ { "name", "", "Refined parameter.", &Axis::name },
                   { "size", "", "Unit of the levels.", &Axis::size },
                   { "levels", "", "Sizes of the levels.", &Axis::sizes },
                   { "own_level", "", "Index of the study's own level, from 0.", &Axis::own },
                   { "figures", "Quantities by key.", sequence_fields.by(&Sequence::key),
                     &Axis::quantities } };
-  static const auto fields =
-    Fields<ConvergeRow>{ { "refinement", "Axes of refinement of `converge`, by key.",
-                           axis_fields.by(&Axis::key), [](const ConvergeRow &row) { return row.axes; } },
-                         { "error_bands", "Error bands by quantity.", band_fields(true),
-                           [](const ConvergeRow &row) { return row.bands; } } };
-  return fields;
+  return { { "refinement", "Axes of refinement of `converge`, by key.", axis_fields.by(&Axis::key),
+             [](const ConvergeRow &row) { return row.axes; } },
+           { "error_bands", "Error bands by quantity.", band_fields(true),
+             [](const ConvergeRow &row) { return row.bands; } } };
 }
 
 struct SpinBandRow

@@ -9,6 +9,12 @@ namespace stemware::pipeline
 namespace
 {
 
+template <typename Value>
+const Value *if_applies(bool applies, const Value &value)
+{
+  return applies ? &value : nullptr;
+}
+
 bool has_no_lift_off(const ContactReport &report)
 {
   const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
@@ -41,58 +47,51 @@ std::vector<SpinRow> spins_of(const StudyAnswer &run)
   return spins;
 }
 
-const Fields<SpinRow> &spin_fields()
+Fields<SpinRow> spin_fields()
 {
-  static const auto fields =
-    Fields<SpinRow>{ { "omega", "rad/s", "The spin.", [](const SpinRow &row) { return row.spin.omega; } },
-                     { "stable", "", "Whether the spin is stable.",
-                       [](const SpinRow &row) { return row.spin.stable; } },
-                     { "held", "", "Whether the fingers hold the glass at this spin.",
-                       [](const SpinRow &row) { return row.spin.held; } },
-                     { "torque_slope", "N m s", "Derivative of the torque with respect to the spin.",
-                       [](const SpinRow &row) { return finite_or_null(row.spin.torque_slope); } },
-                     { "time_constant", "s", "Time constant of the approach, or of the escape if unstable.",
-                       [](const SpinRow &row) { return finite_or_null(row.spin.time_constant); } },
-                     { "from_rest", "", "Whether this spin is reached from rest.", &SpinRow::from_rest } };
-  return fields;
+  return { { "omega", "rad/s", "The spin.", [](const SpinRow &row) { return row.spin.omega; } },
+           { "stable", "", "Whether the spin is stable.",
+             [](const SpinRow &row) { return row.spin.stable; } },
+           { "held", "", "Whether the fingers hold the glass at this spin.",
+             [](const SpinRow &row) { return row.spin.held; } },
+           { "torque_slope", "N m s", "Derivative of the torque with respect to the spin.",
+             [](const SpinRow &row) { return finite_or_null(row.spin.torque_slope); } },
+           { "time_constant", "s", "Time constant of the approach, or of the escape if unstable.",
+             [](const SpinRow &row) { return finite_or_null(row.spin.time_constant); } },
+           { "from_rest", "", "Whether this spin is reached from rest.", &SpinRow::from_rest } };
 }
 
-struct DrivenRow
-{
-  const DrivenSpinUp &driven;
-  std::optional<double> band;
-};
-
-const Fields<DrivenRow> &driven_fields()
+Fields<StudyAnswer> driven_fields()
 {
   using Start = ring::Breakaway;
-  using Row = DrivenRow;
-  static const auto start_fields =
+  const auto start_fields =
     Fields<Start>{ { "time", "s", "Time at which the glass begins to slide.", &Start::time },
                    { "force", "N", "Force of the hand at that time.", &Start::force },
                    { "moment_ratio", "1", "Moment ratio of the load at that time.", &Start::moment_ratio },
                    { "friction_coefficient", "1", "Coefficient of friction at that time.",
                      [](const Start &start) { return start.motion.friction_coefficient; } } };
-  static const auto fields = Fields<Row>{
+  const auto of_driven = [](auto member)
+  { return [=](const StudyAnswer &run) { return (*run.spin.spin_up.driven).*member; }; };
+  return {
     { "speed_at_end", "m/s", "Speed of the hand at the end.",
-      [](const Row &row) { return row.driven.speed.back(); } },
-    { "omega_at_end", "rad/s", "Spin at the end.", [](const Row &row) { return row.driven.omega.back(); } },
+      [](const StudyAnswer &run) { return run.spin.spin_up.driven->speed.back(); } },
+    { "omega_at_end", "rad/s", "Spin at the end.",
+      [](const StudyAnswer &run) { return run.spin.spin_up.driven->omega.back(); } },
     { "interpolation_change", "rad/s", "Largest change of the spin under linear interpolation of the file.",
-      [](const Row &row) { return row.driven.interpolation_change; } },
+      of_driven(&DrivenSpinUp::interpolation_change) },
     { "interpolation_change_at_end", "rad/s",
       "Change of the spin at the end under linear interpolation of the file.",
-      [](const Row &row) { return row.driven.interpolation_change_at_end; } },
+      of_driven(&DrivenSpinUp::interpolation_change_at_end) },
     { "band_at_end", "rad/s",
       "Half-width of the error band of the spin at the end, from the integration and the mesh; null of a "
       "quick run.",
-      &Row::band },
+      [](const StudyAnswer &run) { return driven_band(run.spin, band_of(run.bands, "omega_terminal")); } },
     { "breakaway", "Start of sliding of a hand that starts from rest; else null.", start_fields,
-      [](const Row &row) { return row.driven.breakaway; } }
+      of_driven(&DrivenSpinUp::breakaway) }
   };
-  return fields;
 }
 
-const Fields<FootReport> &contact_fields()
+Fields<FootReport> contact_fields()
 {
   using Foot = FootReport;
   using Mesh = fem::MeshReport;
@@ -105,7 +104,7 @@ const Fields<FootReport> &contact_fields()
   const auto of_solution = [](auto member)
   { return [=](const Foot &report) { return report.at_rest.solution.*member; }; };
   const auto n_cells = [](const fem::FootDescription &foot) { return foot.n_cells; };
-  static const auto mesh_fields = Fields<fem::FootDescription>{
+  const auto mesh_fields = Fields<fem::FootDescription>{
     { "cells", "1", "Number of hexahedra.", n_cells, or_absent() },
     { "round_rim", "", "Whether the rim of a mesh file is round.", of_mesh(&Mesh::round_rim), or_absent() },
     { "rim_radius", "m",
@@ -117,49 +116,47 @@ const Fields<FootReport> &contact_fields()
   };
   using Description = fem::FootDescription;
   using Solution = fem::ContactSolution;
-  static const auto fields = Fields<Foot>{
-    { "body", "", "revolution or solid.", of_foot(&Description::body), on_page("body") },
-    { "cells", "1", "", of_foot(&Description::n_cells), on_page("cells") },
-    { "friction_coupling", "", "Whether friction deforms the foot: elastic or none.",
-      &Foot::friction_coupling },
-    { "mesh", "Mesh of a solid body.", mesh_fields, &Foot::foot },
-    { "unknowns", "1", "Unknowns of the largest linear system.", of_foot(&Description::n_unknowns),
-      on_page("unknowns") },
-    { "contact_nodes", "1", "Nodes that may touch the table.", of_foot(&Description::n_contact_nodes),
-      on_page("contact nodes") },
-    { "loaded_nodes", "1", "Contact nodes under load.", of_solution(&Solution::n_loaded_nodes),
-      on_page("of them under load") },
-    { "nodes_across", "1", "Largest number of neighbouring loaded nodes across the rim.",
-      of_solution(&Solution::n_nodes_across), on_page("side by side across the contact") },
-    { "outcome", "", "Outcome of the solution: converged, or narrow contact.",
-      [](const Foot &report) { return std::string(fem::to_string(report.at_rest.solution.outcome)); },
-      on_page("outcome") },
-    { "iterations", "1", "Newton steps.", of_solution(&Solution::n_iterations), on_page("Newton steps") },
-    { "linear_iterations", "1", "Iterations of the linear solver.",
-      of_solution(&Solution::n_linear_iterations) },
-    { "force_residual", "1", "|Σf − N| / N.", of_solution(&Solution::force_residual), on_page("|Σf - N| / N"),
-      with_digits("#.1e") },
-    { "moment_residual", "1", "|Σ r×f − M_N| / (N R).", of_solution(&Solution::moment_residual),
-      on_page("|Σr×f - M_N| / (N R)"), with_digits("#.1e") },
-    { "equilibrium_residual", "1", "Residual of the body's equilibrium.",
-      of_solution(&Solution::equilibrium_residual), on_page("residual of the body's equilibrium"),
-      with_digits("#.1e") },
-    { "table_motion", "", "Motion of the table: q_0 (m), q_1 and q_2 (rad).",
-      [](const Foot &report)
-      {
-        const Eigen::Vector3d &motion = report.at_rest.solution.motion;
-        return std::array<double, 3>{ motion(0), motion(1), motion(2) };
-      },
-      with_places({ { "", "m", "", "", "", "table moved by q_0" },
-                    { "", "rad", "", "", "", "table tilted by q_1" },
-                    { "", "rad", "", "", "", "table tilted by q_2" } }) }
-  };
-  return fields;
+  return { { "body", "", "revolution or solid.", of_foot(&Description::body), on_page("body") },
+           { "cells", "1", "", of_foot(&Description::n_cells), on_page("cells") },
+           { "friction_coupling", "", "Whether friction deforms the foot: elastic or none.",
+             &Foot::friction_coupling },
+           { "mesh", "Mesh of a solid body.", mesh_fields, &Foot::foot },
+           { "unknowns", "1", "Unknowns of the largest linear system.", of_foot(&Description::n_unknowns),
+             on_page("unknowns") },
+           { "contact_nodes", "1", "Nodes that may touch the table.", of_foot(&Description::n_contact_nodes),
+             on_page("contact nodes") },
+           { "loaded_nodes", "1", "Contact nodes under load.", of_solution(&Solution::n_loaded_nodes),
+             on_page("of them under load") },
+           { "nodes_across", "1", "Largest number of neighbouring loaded nodes across the rim.",
+             of_solution(&Solution::n_nodes_across), on_page("side by side across the contact") },
+           { "outcome", "", "Outcome of the solution: converged, or narrow contact.",
+             [](const Foot &report) { return std::string(fem::to_string(report.at_rest.solution.outcome)); },
+             on_page("outcome") },
+           { "iterations", "1", "Newton steps.", of_solution(&Solution::n_iterations),
+             on_page("Newton steps") },
+           { "linear_iterations", "1", "Iterations of the linear solver.",
+             of_solution(&Solution::n_linear_iterations) },
+           { "force_residual", "1", "|Σf − N| / N.", of_solution(&Solution::force_residual),
+             on_page("|Σf - N| / N"), with_digits("#.1e") },
+           { "moment_residual", "1", "|Σ r×f − M_N| / (N R).", of_solution(&Solution::moment_residual),
+             on_page("|Σr×f - M_N| / (N R)"), with_digits("#.1e") },
+           { "equilibrium_residual", "1", "Residual of the body's equilibrium.",
+             of_solution(&Solution::equilibrium_residual), on_page("residual of the body's equilibrium"),
+             with_digits("#.1e") },
+           { "table_motion", "", "Motion of the table: q_0 (m), q_1 and q_2 (rad).",
+             [](const Foot &report)
+             {
+               const Eigen::Vector3d &motion = report.at_rest.solution.motion;
+               return std::array<double, 3>{ motion(0), motion(1), motion(2) };
+             },
+             with_places({ { "", "m", "", "", "", "table moved by q_0" },
+                           { "", "rad", "", "", "", "table tilted by q_1" },
+                           { "", "rad", "", "", "", "table tilted by q_2" } }) } };
 }
 
-const Fields<StudyAnswer> &ring_fields()
+Fields<StudyAnswer> ring_fields()
 {
-  static const auto fields = Fields<StudyAnswer>{
+  return Fields<StudyAnswer>{
     { "tau_closed_form", "N m",
       "μ M_N,x, the exact value of tau_at_rest; M_N is the mean over the phases with waviness, where "
       "load.moment is that of t = 0.",
@@ -175,13 +172,7 @@ const Fields<StudyAnswer> &ring_fields()
         { { "enum", { "full contact", "lift-off", "formal", "tips", "no balance", "no terminal spin" } } }) },
     { "terminal_spins", "All terminal spins within 1.5 v/R of rest.", spin_fields(), spins_of },
     { "driven", "Spin-up under Motion/Orbit speed file; else null.", driven_fields(),
-      [](const StudyAnswer &run)
-      {
-        const auto &driven = run.spin.spin_up.driven;
-        return driven ? std::optional(
-                          DrivenRow{ *driven, driven_band(run.spin, band_of(run.bands, "omega_terminal")) })
-                      : std::nullopt;
-      } },
+      [](const StudyAnswer &run) { return if_applies(run.spin.spin_up.driven.has_value(), run); } },
     { "no_lift_off", "",
       "Whether the whole area of the land is under pressure and the load is nowhere negative, at rest "
       "and at the end of the spin-up.",
@@ -198,63 +189,55 @@ const Fields<StudyAnswer> &ring_fields()
     { "spin_ripple", "rad/s", "Amplitude of the spin's oscillation after the transient, if phase_dependent.",
       [](const StudyAnswer &run) { return run.spin.phases ? run.spin.phases->spin_ripple : 0; } }
   }.include(study_quantities(), [](const StudyAnswer &run) -> const StudyAnswer & { return run; });
-  return fields;
 }
 
-const Fields<PhaseStudy> &waviness_fields()
+Fields<PhaseStudy> waviness_fields()
 {
   using Phases = PhaseStudy;
-  static const auto fields = Fields<Phases>{
-    { "spin_ripple", "rad/s", "Amplitude of the spin's oscillation after the transient.",
-      &Phases::spin_ripple },
-    { "spin_uncertainty", "rad/s", "Uncertainty of the mean spin, from the sampled phases.",
-      &Phases::spin_uncertainty },
-    { "zero_of_mean_torque", "rad/s", "Zero of the mean torque.", &Phases::zero_of_mean_torque },
-    { "torque_ripple", "N m", "Amplitude of the torque over the phases.", &Phases::torque_ripple },
-    { "least_load", "N/rad",
-      "Minimum of the pointwise load over all phases, at rest and at the terminal spin.",
-      &Phases::least_load },
-    { "least_load_state", "", "State of least_load: \"at rest\" or \"at the terminal spin\".",
-      [](const Phases &phases)
-      { return std::string(phases.least_load_is_at_rest ? "at rest" : "at the terminal spin"); } },
-    { "least_contact_fraction", "1", "Minimum of load.contact_fraction over all phases at rest.",
-      &Phases::least_contact_fraction },
-    { "glass_phases", "1", "Number of sampled phases of the glass.", &Phases::n_glass_phases },
-    { "table_phases", "1", "Number of sampled phases of the table.", &Phases::n_table_phases },
-    { "spins", "1", "Number of spins of the interpolant.", &Phases::n_spins },
-    { "interpolation_error", "1", "Error of the interpolant, over a_0.", &Phases::interpolation_error }
-  };
-  return fields;
+  return { { "spin_ripple", "rad/s", "Amplitude of the spin's oscillation after the transient.",
+             &Phases::spin_ripple },
+           { "spin_uncertainty", "rad/s", "Uncertainty of the mean spin, from the sampled phases.",
+             &Phases::spin_uncertainty },
+           { "zero_of_mean_torque", "rad/s", "Zero of the mean torque.", &Phases::zero_of_mean_torque },
+           { "torque_ripple", "N m", "Amplitude of the torque over the phases.", &Phases::torque_ripple },
+           { "least_load", "N/rad",
+             "Minimum of the pointwise load over all phases, at rest and at the terminal spin.",
+             &Phases::least_load },
+           { "least_load_state", "", "State of least_load: \"at rest\" or \"at the terminal spin\".",
+             [](const Phases &phases)
+             { return std::string(phases.least_load_is_at_rest ? "at rest" : "at the terminal spin"); } },
+           { "least_contact_fraction", "1", "Minimum of load.contact_fraction over all phases at rest.",
+             &Phases::least_contact_fraction },
+           { "glass_phases", "1", "Number of sampled phases of the glass.", &Phases::n_glass_phases },
+           { "table_phases", "1", "Number of sampled phases of the table.", &Phases::n_table_phases },
+           { "spins", "1", "Number of spins of the interpolant.", &Phases::n_spins },
+           { "interpolation_error", "1", "Error of the interpolant, over a_0.",
+             &Phases::interpolation_error } };
 }
 
-const Fields<GlassSection> &profile_fields()
+Fields<GlassSection> profile_fields()
 {
   using Glass = GlassSection;
-  static const auto fields = Fields<Glass>{
-    { "points", "1", "Points of the profile.", &Glass::n_profile_points },
-    { "contact_radius", "m", "Fitted or given value.",
-      [](const Glass &glass) { return glass.profile.contact_radius; } },
-    { "crown_radius", "m", "Fitted or given value.",
-      [](const Glass &glass) { return glass.profile.crown_radius; } },
-    { "rim_points", "1", "Number of points of the land in the fit of the circle.",
-      [](const Glass &glass) { return glass.rim_circle ? glass.rim_circle->n_points : 0; } },
-    { "rms_distance", "m", "RMS distance of the points from the circle; null if the rim is given.",
-      [](const Glass &glass)
-      { return glass.rim_circle ? std::optional(glass.rim_circle->rms_distance) : std::nullopt; } }
-  };
-  return fields;
+  return { { "points", "1", "Points of the profile.", &Glass::n_profile_points },
+           { "contact_radius", "m", "Fitted or given value.",
+             [](const Glass &glass) { return glass.profile.contact_radius; } },
+           { "crown_radius", "m", "Fitted or given value.",
+             [](const Glass &glass) { return glass.profile.crown_radius; } },
+           { "rim_points", "1", "Number of points of the land in the fit of the circle.",
+             [](const Glass &glass) { return glass.rim_circle ? glass.rim_circle->n_points : 0; } },
+           { "rms_distance", "m", "RMS distance of the points from the circle; null if the rim is given.",
+             [](const Glass &glass)
+             { return glass.rim_circle ? std::optional(glass.rim_circle->rms_distance) : std::nullopt; } } };
 }
 
-const Fields<StudyAnswer> &coupling_fields()
+Fields<StudyAnswer> coupling_fields()
 {
-  static const auto fields =
-    Fields<StudyAnswer>{ { "balanced_spins", "1", "Number of spins with solved balances.",
-                           [](const StudyAnswer &run) { return run.contact.coupling->n_balances; } },
-                         { "contact_solutions", "1", "Number of contacts solved for the balances.",
-                           [](const StudyAnswer &run) { return run.contact.coupling->n_contact_solutions; } },
-                         { "interpolation_error", "1", "Error of the interpolant over the spin, over a_0.",
-                           [](const StudyAnswer &run) { return run.spin.curve_error; } } };
-  return fields;
+  return { { "balanced_spins", "1", "Number of spins with solved balances.",
+             [](const StudyAnswer &run) { return run.contact.coupling->n_balances; } },
+           { "contact_solutions", "1", "Number of contacts solved for the balances.",
+             [](const StudyAnswer &run) { return run.contact.coupling->n_contact_solutions; } },
+           { "interpolation_error", "1", "Error of the interpolant over the spin, over a_0.",
+             [](const StudyAnswer &run) { return run.spin.curve_error; } } };
 }
 
 /// Returns the part "mesh" of the band of the study's goal; std::nullopt without a goal or band.
@@ -266,46 +249,37 @@ std::optional<double> band_of_mesh(const StudyAnswer &answer)
   return banded->parts.at("mesh");
 }
 
-const Fields<StudyAnswer> &goal_fields()
+Fields<StudyAnswer> goal_fields()
 {
   const auto of_goal = [](auto member)
   { return [=](const StudyAnswer &run) { return (*run.goal).*member; }; };
-  static const auto fields = Fields<StudyAnswer>{
-    { "name", "", "The quantity of interest.",
-      [](const StudyAnswer &run)
-      { return study_as_json(entries_of(run.study))["Contact"]["Goal"].get<std::string>(); } },
-    { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
-    { "estimated_error", "", "Estimate of exact minus computed value.",
-      of_goal(&GoalOutcome::estimated_error) },
-    { "band_of_mesh", "", "Part of the error band that covers this error.", band_of_mesh },
-    { "tolerance", "1", "Tolerance of the error, over the value.",
-      [](const StudyAnswer &run) { return run.study.contact.goal_tolerance; } },
-    { "meshes", "1", "Number of meshes.", of_goal(&GoalOutcome::n_meshes) },
-    { "cells", "1", "Cells of the last mesh.", of_goal(&GoalOutcome::n_cells) },
-    { "unknowns", "1", "Unknowns of the last mesh.",
-      [](const StudyAnswer &run) { return run.contact.foot.value().foot.n_unknowns; } }
-  };
-  return fields;
-}
-
-template <typename Value>
-const Value *if_applies(bool applies, const Value &value)
-{
-  return applies ? &value : nullptr;
+  return { { "name", "", "The quantity of interest.",
+             [](const StudyAnswer &run)
+             { return study_as_json(entries_of(run.study))["Contact"]["Goal"].get<std::string>(); } },
+           { "value", "", "Value in its unit.", of_goal(&GoalOutcome::value) },
+           { "estimated_error", "", "Estimate of exact minus computed value.",
+             of_goal(&GoalOutcome::estimated_error) },
+           { "band_of_mesh", "", "Part of the error band that covers this error.", band_of_mesh },
+           { "tolerance", "1", "Tolerance of the error, over the value.",
+             [](const StudyAnswer &run) { return run.study.contact.goal_tolerance; } },
+           { "meshes", "1", "Number of meshes.", of_goal(&GoalOutcome::n_meshes) },
+           { "cells", "1", "Cells of the last mesh.", of_goal(&GoalOutcome::n_cells) },
+           { "unknowns", "1", "Unknowns of the last mesh.",
+             [](const StudyAnswer &run) { return run.contact.foot.value().foot.n_unknowns; } } };
 }
 
 } // namespace
 
-const Fields<StudyAnswer> &run_fields()
+Fields<StudyAnswer> run_fields()
 {
-  static const auto one_ring_fields = Fields<ring::Answer>{
+  const auto one_ring_fields = Fields<ring::Answer>{
     { "tau_at_rest", "N m", "Torque of friction at rest.",
       [](const ring::Answer &answer)
       { return answer.at_rest ? std::optional(answer.at_rest->friction.torque) : std::nullopt; } },
     { "omega_terminal", "rad/s", "Terminal spin.", &ring::Answer::omega_terminal },
     { "relative_change", "1", "Relative change from several rings.", &ring::Answer::relative_change }
   };
-  static const auto fields = Fields<StudyAnswer>{
+  return Fields<StudyAnswer>{
     { "load_at_terminal", "The load at the terminal spin; null without one.", load_fields(),
       [](const StudyAnswer &run)
       { return if_applies(run.spin.answer().terminal.has_value(), run.contact.load_at_end); } },
@@ -338,7 +312,6 @@ const Fields<StudyAnswer> &run_fields()
     { "goal", "With Contact/Goal.", goal_fields(),
       [](const StudyAnswer &run) { return if_applies(run.goal.has_value(), run); }, or_absent() }
   }.include(harmonics_fields(), [](const StudyAnswer &run) -> const StudyAnswer & { return run; });
-  return fields;
 }
 
 Table contact_list(const FootReport &foot)

@@ -208,22 +208,20 @@ struct SweepRow
   std::size_t n_finished, n_failed;
 };
 
-const Fields<SweepRow> &sweep_fields()
+Fields<SweepRow> sweep_fields()
 {
-  static const auto entry_fields =
+  const auto entry_fields =
     Fields<VariedEntry>{ { "entry", "", "Section/Entry.", &VariedEntry::path },
                          { "unit", "", "Unit of the values; empty for words.", &VariedEntry::unit } };
-  static const auto case_fields = Fields<SweepRow>{
+  const auto case_fields = Fields<SweepRow>{
     { "cases", "", "Number of cases.", [](const SweepRow &row) { return row.list.cases.size(); } },
     { "finished", "", "Cases that are finished: rows of sweep.csv.", &SweepRow::n_finished },
     { "failed", "", "Finished cases without an answer.", &SweepRow::n_failed },
     { "entries", "Entries that differ from case to case.", entry_fields,
       [](const SweepRow &row) { return row.list.entries; } }
   };
-  static const auto fields =
-    Fields<SweepRow>{ { "sweep", "Cases of `sweep`; sweep.csv has their numbers.", case_fields,
-                        [](const SweepRow &row) -> const SweepRow & { return row; } } };
-  return fields;
+  return { { "sweep", "Cases of `sweep`; sweep.csv has their numbers.", case_fields,
+             [](const SweepRow &row) -> const SweepRow & { return row; } } };
 }
 
 } // namespace

@@ -67,13 +67,12 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
   return text;
 }
 
-const Fields<StudyAnswer> &truncate_fields()
+Fields<StudyAnswer> truncate_fields()
 {
-  static const auto fields = Fields<StudyAnswer>{
+  return Fields<StudyAnswer>{
     { "fall", "Of `truncate`: as ring.fall of `run`.", fall_fields(),
       [](const StudyAnswer &answer) { return answer.spin.answer().fall; } }
   }.include(harmonics_fields(), [](const StudyAnswer &answer) -> const StudyAnswer & { return answer; });
-  return fields;
 }
 
 } // namespace
