@@ -26,10 +26,10 @@ void converge(const ConvergeOptions &options)
 
 } // namespace
 
-void add_converge_verb(CLI::App &program, Verb &chosen)
+void add_converge_verb(CLI::App &program)
 {
-  const auto [verb, options] = add_study_verb(
-    program, chosen, "converge", "Refine a study: observed orders, limits, error bands", converge);
+  const auto [verb, options] =
+    add_study_verb(program, "converge", "Refine a study: observed orders, limits, error bands", converge);
   verb
     ->add_option("--levels", options->n_levels,
                  "Levels of each parameter; default 3, which an observed order needs")

@@ -54,11 +54,11 @@ void explore(const ExploreOptions &options)
 
 } // namespace
 
-void add_explore_verb(CLI::App &program, Verb &chosen)
+void add_explore_verb(CLI::App &program)
 {
   const auto options = std::make_shared<ExploreOptions>();
   CLI::App *verb =
-    add_verb(program, chosen, "explore", "Write a page that solves a study live, at every move of a slider",
+    add_verb(program, "explore", "Write a page that solves a study live, at every move of a slider",
              [options] { explore(*options); });
   options->study.verb = verb->get_name();
   add_study_option(*verb, options->study);

@@ -221,12 +221,11 @@ void mesh(const MeshOptions &options)
 
 } // namespace
 
-void add_mesh_verb(CLI::App &program, Verb &chosen)
+void add_mesh_verb(CLI::App &program)
 {
   const auto options = std::make_shared<MeshOptions>();
-  CLI::App *verb =
-    add_verb(program, chosen, "mesh", "Write the three-dimensional mesh of a foot, or check one",
-             [options] { mesh(*options); });
+  CLI::App *verb = add_verb(program, "mesh", "Write the three-dimensional mesh of a foot, or check one",
+                            [options] { mesh(*options); });
   add_study_option(*verb, options->study, "whose mesh it is");
   verb->add_option("--check", options->check, "Checks a mesh file instead")->type_name("FILE.msh");
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")

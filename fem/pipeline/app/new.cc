@@ -67,7 +67,7 @@ std::string list_of(const std::vector<Preset> &presets)
 
 } // namespace
 
-void add_new_verb(CLI::App &program, Verb &chosen)
+void add_new_verb(CLI::App &program)
 {
   const auto options = std::make_shared<NewOptions>();
   CLI::App *verb = program.add_subcommand("new", "Write a study file of twelve entries to start from");
@@ -96,21 +96,19 @@ void add_new_verb(CLI::App &program, Verb &chosen)
       return filled(help_of("new"), { list_of(glass_presets()), list_of(table_presets()), cookbooks });
     });
   verb->callback(
-    [&chosen, options, file, cookbook]
+    [options, file, cookbook]
     {
-      if (file->count() + cookbook->count() == 0)
+      const bool is_cookbook = cookbook->count() > 0;
+      if (file->count() == 0 && !is_cookbook)
         throw CLI::RequiredError("FILE");
-      chosen = [options, is_cookbook = cookbook->count() > 0]
-      {
-        const auto &[name, glass, table, recipe] = *options;
-        const std::string file = name.empty() && is_cookbook ? recipe + ".prm" : name;
-        if (is_cookbook)
-          return write_study(file, cookbook_parts(recipe, file), ", the study of the cookbook " + recipe);
-        const Preset &of_glass = preset_of(glass_presets(), "--glass", glass);
-        const Preset &of_table = preset_of(table_presets(), "--table", table);
-        write_study(file, { { file, new_study_text(of_glass, of_table, file) } },
-                    ": " + of_glass.name + " on " + of_table.name);
-      };
+      const auto &[given, glass, table, recipe] = *options;
+      const std::string name = given.empty() && is_cookbook ? recipe + ".prm" : given;
+      if (is_cookbook)
+        return write_study(name, cookbook_parts(recipe, name), ", the study of the cookbook " + recipe);
+      const Preset &of_glass = preset_of(glass_presets(), "--glass", glass);
+      const Preset &of_table = preset_of(table_presets(), "--table", table);
+      write_study(name, { { name, new_study_text(of_glass, of_table, name) } },
+                  ": " + of_glass.name + " on " + of_table.name);
     });
 }
 

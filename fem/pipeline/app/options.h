@@ -23,12 +23,12 @@ void add_study_options(CLI::App &verb, StudyOptions &options);
 /// Adds a verb with add_verb() and add_study_options(), stored in Options (derived from StudyOptions).
 /// Returns verb and options, for further options.
 template <typename Options>
-std::pair<CLI::App *, std::shared_ptr<Options>>
-add_study_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
-               void (*work)(const Options &))
+std::pair<CLI::App *, std::shared_ptr<Options>> add_study_verb(CLI::App &program, const std::string &name,
+                                                               const std::string &words,
+                                                               void (*work)(const Options &))
 {
   const auto options = std::make_shared<Options>();
-  CLI::App *verb = add_verb(program, chosen, name, words, [options, work] { work(*options); });
+  CLI::App *verb = add_verb(program, name, words, [options, work] { work(*options); });
   add_study_options(*verb, *options);
   return { verb, options };
 }

@@ -69,16 +69,15 @@ std::string describe_error(const CLI::App &program, const CLI::ParseError &error
                         : shortened(error.what(), 160) + "; see";
 }
 
-/// Returns an exit code after --help, --version and usage errors; std::nullopt if a verb is to be run.
-std::optional<ExitCode> parse_command_line(CLI::App &program, int argc, char *argv[])
+/// Parses the command line and runs the chosen verb. Prints --help, --version and usage errors.
+ExitCode run_verb(CLI::App &program, int argc, char *argv[])
 {
   for (CLI::App *verb : program.get_subcommands([](CLI::App *) { return true; }))
-    if (!verb->get_group().empty())
-      verb->group("Verbs");
+    verb->group("Verbs");
   try
   {
     program.parse(argc, argv);
-    return std::nullopt;
+    return ExitCode::success;
   }
   catch (const CLI::Success &request)
   {
@@ -112,39 +111,35 @@ std::string help_of(const std::string &name)
   return text.substr(0, text.size() - 1); // CLI11 adds the final line break
 }
 
-CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
-                   const Verb &work)
+CLI::App *add_verb(CLI::App &program, const std::string &name, const std::string &words,
+                   const std::function<void()> &work)
 {
   CLI::App *verb = program.add_subcommand(name, words);
   verb->footer(help_of(name));
-  verb->callback([&chosen, work] { chosen = work; });
+  verb->callback(work);
   return verb;
 }
 
-void add_help_verb(CLI::App &program, Verb &chosen)
+void add_help_verb(CLI::App &program)
 {
   const auto topic = std::make_shared<std::string>();
-  CLI::App *verb = program.add_subcommand("help", "Print this text, or that of a verb");
-  verb->add_option("VERB", *topic, "Verb to explain; default: a summary of all verbs");
-  verb->footer(help_of("help"));
-  verb->callback(
-    [&program, &chosen, topic]
+  const auto explain = [&program, topic]
+  {
+    const CLI::App *found = topic->empty() ? &program : nullptr;
+    for (const CLI::App *candidate : program.get_subcommands([](const CLI::App *) { return true; }))
+      if (candidate->get_name() == *topic)
+        found = candidate;
+    if (found == nullptr)
     {
-      const CLI::App *found = topic->empty() ? &program : nullptr;
-      for (const CLI::App *candidate : program.get_subcommands([](const CLI::App *) { return true; }))
-        if (candidate->get_name() == *topic)
-          found = candidate;
-      if (found == nullptr)
-      {
-        const std::vector<std::string> verbs = verbs_of(program);
-        throw BadInput(not_known(*topic, verbs, "not one of the verbs " + listed(verbs, "and")) +
-                       " `stemware --help` for examples.");
-      }
-      const std::string name = program.get_name() + (topic->empty() ? "" : ' ' + *topic);
-      chosen = [found, name] {
-        console() << found->get_formatter()->make_help(found, name, CLI::AppFormatMode::Normal) << std::flush;
-      };
-    });
+      const std::vector<std::string> verbs = verbs_of(program);
+      throw BadInput(not_known(*topic, verbs, "not one of the verbs " + listed(verbs, "and")) +
+                     " `stemware --help` for examples.");
+    }
+    const std::string name = program.get_name() + (topic->empty() ? "" : ' ' + *topic);
+    console() << found->get_formatter()->make_help(found, name, CLI::AppFormatMode::Normal) << std::flush;
+  };
+  add_verb(program, "help", "Print this text, or that of a verb", explain)
+    ->add_option("VERB", *topic, "Verb to explain; default: a summary of all verbs");
 }
 
 int run_program(int argc, char *argv[])
@@ -160,23 +155,16 @@ int run_program(int argc, char *argv[])
     mpi.emplace();
     require_utf8(argc, argv);
     CLI::App program("Stemware: the spin of a wine glass on a table, with an elastic foot.", "stemware");
-    Verb chosen;
     program.require_subcommand(1);
     program.get_formatter()->label("SUBCOMMAND", "VERB");
     program.set_version_flag("--version", "stemware " + program_version() + " (" + program_revision() + ")");
     program.set_help_flag("-h,--help", "Show this text, or that of a verb: stemware run --help");
     program.footer(help_of("stemware"));
-#define STEMWARE_VERB(name) add_##name##_verb(program, chosen);
+#define STEMWARE_VERB(name) add_##name##_verb(program);
     STEMWARE_VERBS(STEMWARE_VERB)
-    if (const auto exit_code = parse_command_line(program, argc, argv))
-    {
-      require_printed();
-      return static_cast<int>(*exit_code);
-    }
-
-    chosen();
+    const ExitCode exit_code = run_verb(program, argc, argv);
     require_printed();
-    return static_cast<int>(ExitCode::success);
+    return static_cast<int>(exit_code);
   }
   catch (...)
   {

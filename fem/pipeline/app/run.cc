@@ -32,10 +32,10 @@ void run(const RunOptions &options)
 
 } // namespace
 
-void add_run_verb(CLI::App &program, Verb &chosen)
+void add_run_verb(CLI::App &program)
 {
   const auto [verb, options] = add_study_verb(
-    program, chosen, "run", "Compute a study: contact, torque, spin, and the size of each effect", run);
+    program, "run", "Compute a study: contact, torque, spin, and the size of each effect", run);
   verb->add_flag("--quick", options->quick, "The answer and its curves, no budget and no error bands");
 }
 

@@ -96,10 +96,10 @@ void sweep(const SweepOptions &options)
 
 } // namespace
 
-void add_sweep_verb(CLI::App &program, Verb &chosen)
+void add_sweep_verb(CLI::App &program)
 {
   const auto [verb, options] =
-    add_study_verb(program, chosen, "sweep", "Compute a study many times: a list or a grid of cases", sweep);
+    add_study_verb(program, "sweep", "Compute a study many times: a list or a grid of cases", sweep);
   verb->add_option("--cases", options->cases, "Table of cases: a column for each entry, a row for each case")
     ->type_name("FILE");
   verb->add_option("--vary", options->varied, "Values of one entry: a range or a list; at most twice")

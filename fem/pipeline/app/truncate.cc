@@ -18,9 +18,9 @@ void truncate(const StudyOptions &options)
 
 } // namespace
 
-void add_truncate_verb(CLI::App &program, Verb &chosen)
+void add_truncate_verb(CLI::App &program)
 {
-  add_study_verb(program, chosen, "truncate", "Find how many harmonics of the load matter", truncate);
+  add_study_verb(program, "truncate", "Find how many harmonics of the load matter", truncate);
 }
 
 } // namespace stemware::pipeline

@@ -12,15 +12,12 @@ class App;
 namespace stemware::pipeline
 {
 
-/// Work of the verb chosen on the command line, bound to its options.
-using Verb = std::function<void()>;
-
 /// Returns the text of help/@p name.txt, the end of a verb's help.
 std::string help_of(const std::string &name);
 
-/// Adds a verb with help_of() @p name. If the verb is chosen, @p chosen becomes @p work.
-CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, const std::string &words,
-                   const Verb &work);
+/// Adds a verb with help_of() @p name. If the verb is chosen, @p work runs when the command line is parsed.
+CLI::App *add_verb(CLI::App &program, const std::string &name, const std::string &words,
+                   const std::function<void()> &work);
 
 /// Verbs in the order of --help. Each has a function add_NAME_verb(), which adds its options and work.
 #define STEMWARE_VERBS(VERB)                                                                                 \
@@ -34,7 +31,7 @@ CLI::App *add_verb(CLI::App &program, Verb &chosen, const std::string &name, con
   VERB(defaults) /* a commented study file of all defaults, or of one section, on standard output */         \
   VERB(help)     /* the text of --help, of the program or of a verb */
 
-#define STEMWARE_VERB(name) void add_##name##_verb(CLI::App &program, Verb &chosen);
+#define STEMWARE_VERB(name) void add_##name##_verb(CLI::App &program);
 STEMWARE_VERBS(STEMWARE_VERB)
 #undef STEMWARE_VERB
 
