@@ -10,11 +10,6 @@
 namespace stemware::pipeline
 {
 
-ConsoleProgress::ConsoleProgress(Stopwatch &stopwatch)
-    : stopwatch(stopwatch)
-{
-}
-
 void ConsoleProgress::stage_done(const std::string &stage)
 {
   stopwatch.finish(stage);

@@ -14,8 +14,7 @@ namespace stemware::pipeline
 class ConsoleProgress : public Progress
 {
 public:
-  /// Keeps a reference to @p stopwatch, which receives the stages.
-  explicit ConsoleProgress(Stopwatch &stopwatch);
+  ConsoleProgress() = default;
   ~ConsoleProgress() override { end_bar(); }
   ConsoleProgress(const ConsoleProgress &) = delete;
   ConsoleProgress &operator=(const ConsoleProgress &) = delete;
@@ -24,6 +23,8 @@ public:
   void pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all) override;
   void iteration(const fem::ContactIteration &step) override;
   void note(const std::string &subject, const std::string &text) override;
+
+  Stopwatch stopwatch; ///< times of the stages
 
 private:
   /// Shows @p n_done of @p n_all pieces: a bar on a terminal, else a line per tenth, at most every 3 s.
@@ -34,7 +35,6 @@ private:
   std::size_t tenths_shown = 0;
   std::size_t bar_width = 0; ///< columns of the present bar, to be overwritten
   bool has_header = false;   ///< table of Newton steps has its header
-  Stopwatch &stopwatch;
   std::chrono::steady_clock::time_point last_line = std::chrono::steady_clock::now();
 };
 

@@ -21,7 +21,7 @@ void converge(const ConvergeOptions &options)
   StudyWork work(options);
   std::vector<RefinementAxis> axes = refinement_axes(work.study, options.n_levels);
   const ErrorBands bands = converge_study(work.study, axes, work.executor);
-  publish(options, convergence_results(work.study, axes, bands), work.folder, work.stopwatch);
+  publish(options, convergence_results(work.study, axes, bands), work.folder, work.progress.stopwatch);
 }
 
 } // namespace

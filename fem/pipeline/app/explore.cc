@@ -44,8 +44,8 @@ void explore(const ExploreOptions &options)
     wish.tables.push_back(name == rigid_table.name ? rigid_table
                                                    : preset_of(table_presets(), "--table", name));
   fem::ComplianceCache cache;
-  const std::string page = explore_page(
-    wish, cache, [](const std::string &pair) { console() << "Pair      " << pair << std::endl; });
+  ConsoleProgress progress;
+  const std::string page = explore_page(wish, cache, progress);
   on_first_rank([&] { write_output_file(options.file, page); });
   console() << fmt::format(FMT_STRING("Written   {}, {:.0f} kB: open it in a browser\n"), options.file,
                            static_cast<double>(page.size()) / 1e3)

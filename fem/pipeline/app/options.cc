@@ -177,13 +177,12 @@ Study begin_study(const StudyOptions &options)
 }
 
 StudyWork::StudyWork(const StudyOptions &options)
-    : progress(stopwatch)
-    , study(begin_study(options))
+    : study(begin_study(options))
     , folder(options.results_place())
     , executor(cache, n_threads_of(options), progress)
 {
   note_load_source(study, progress);
-  stopwatch.finish("input");
+  progress.stopwatch.finish("input");
 }
 
 } // namespace stemware::pipeline

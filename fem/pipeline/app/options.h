@@ -62,7 +62,6 @@ struct StudyWork
   /// Checks study and results folder by begin_study() and ResultsFolder, and reports the required resultants.
   explicit StudyWork(const StudyOptions &options);
 
-  Stopwatch stopwatch;
   ConsoleProgress progress;
   Study study;
   ResultsFolder folder;

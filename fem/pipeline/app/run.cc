@@ -27,7 +27,7 @@ void run(const RunOptions &options)
   // Only the first rank has the load and the results. Each rank has the fields of its own cells.
   Results results = is_first_rank() ? run_results(answer) : Results();
   results.fields = std::move(answer.fields.files);
-  publish(options, std::move(results), work.folder, work.stopwatch);
+  publish(options, std::move(results), work.folder, work.progress.stopwatch);
 }
 
 } // namespace

@@ -53,7 +53,7 @@ void note_implausible_cases(const CaseList &list, const StudyOptions &options)
 
 void sweep(const SweepOptions &options)
 {
-  Stopwatch stopwatch;
+  ConsoleProgress progress;
   ensure(n_ranks() == 1,
          "A sweep runs in one process and not under mpirun; docs/sweep.md shows a sweep on many machines "
          "(stemware.solve() in Python).");
@@ -70,9 +70,8 @@ void sweep(const SweepOptions &options)
   if (n_kept > 0)
     console() << "          " << n_kept << " of them are in sweep.csv and kept" << std::endl;
   note_implausible_cases(list, options);
-  stopwatch.finish("input");
+  progress.stopwatch.finish("input");
 
-  ConsoleProgress progress(stopwatch);
   if (!wanted.empty())
     progress.pieces_done("cases", n_kept, n_cases); // starts the interval before the first line
   std::size_t n_done = n_kept, n_failed = 0;
@@ -84,9 +83,9 @@ void sweep(const SweepOptions &options)
                 const std::string failed = fmt::format(FMT_STRING(", {} failed"), n_failed);
                 progress.pieces_done("cases" + (n_failed > 0 ? failed : ""), ++n_done, n_cases);
               });
-  stopwatch.finish("cases");
+  progress.stopwatch.finish("cases");
 
-  publish_in(options.results_place(), options, sweep_results(list, file.finished()), stopwatch);
+  publish_in(options.results_place(), options, sweep_results(list, file.finished()), progress.stopwatch);
   for (const auto &[index, result] : file.finished())
     if (result.status != "failed")
       return;

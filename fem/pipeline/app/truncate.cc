@@ -13,7 +13,7 @@ void truncate(const StudyOptions &options)
 {
   StudyWork work(options);
   const StudyAnswer answer = answer_study(work.study, Depth::rows, work.executor, false);
-  publish(options, truncation_results(answer), work.folder, work.stopwatch);
+  publish(options, truncation_results(answer), work.folder, work.progress.stopwatch);
 }
 
 } // namespace

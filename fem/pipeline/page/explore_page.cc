@@ -274,8 +274,7 @@ live_bodies(const FootSpecification &specification, fem::ComplianceCache &cache,
   return { *cache.get(meshes.foot, setup.material, options), disc };
 }
 
-std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache,
-                         const std::function<void(const std::string &)> &report)
+std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache, Progress &progress)
 {
   const std::string solver = live_solver();
   const std::vector<Preset> glasses = selectable(options.glasses, "glass"),
@@ -317,8 +316,8 @@ std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache
                                                { "band", pair->band } };
     const std::string name = pair->glass + " on " + pair->table, spin = pair->spin_text();
     spins += (spins.empty() ? "" : ", ") + name + ' ' + boost::replace_all_copy(spin, "-", "\u2212");
-    report(fmt::format(FMT_STRING("{}: {} nodes, {}"), name, pair->n_nodes, spin) +
-           (pair->band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair->band) : ""));
+    progress.note("Pair", fmt::format(FMT_STRING("{}: {} nodes, {}"), name, pair->n_nodes, spin) +
+                            (pair->band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair->band) : ""));
   }
   for (const StudyEntry &entry : default_entries())
     entries[entry.path()] = entry.text();

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/foot_specification.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/revolution/compliance_cache.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -30,10 +30,9 @@ struct PageOptions
   unsigned int max_nodes = 0;  ///< nodes across the land, if focused; 0: as in `stemware run`
 };
 
-/// Returns the page of @p options. Calls @p report for each pair of glass and table, in order, with its name,
-/// nodes and terminal spin. Throws BadInput without an installed solver (explore.wasm or explore.html in
-/// share/stemware), as live_bodies(), and for pairs that cannot be solved.
-std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache,
-                         const std::function<void(const std::string &)> &report);
+/// Returns the page of @p options. Notes each pair of glass and table in @p progress, in order, with its
+/// name, nodes and terminal spin. Throws BadInput without an installed solver (explore.wasm or explore.html
+/// in share/stemware), as live_bodies(), and for pairs that cannot be solved.
+std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache, Progress &progress);
 
 } // namespace stemware::pipeline

@@ -34,9 +34,8 @@ private:
 
 TEST(ConsoleProgress, CountsTorqueEvaluationsOfALongMotion)
 {
-  Stopwatch stopwatch;
   const CapturedOutput output;
-  ConsoleProgress progress(stopwatch);
+  ConsoleProgress progress;
   const ring::TimeObserver observer = motion_observer(progress);
   std::size_t n_torques = 0;
   for (; output.text.str().empty(); ++n_torques)
