@@ -6,7 +6,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/ranks.h"
-#include "fem/pipeline/base/text.h"
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/result/sweep_file.h"
 #include "fem/pipeline/result/verb_results.h"

@@ -4,7 +4,6 @@
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
-#include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/pictures.h"

@@ -19,7 +19,6 @@
 #include <boost/algorithm/string/replace.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <fmt/format.h>

@@ -14,7 +14,6 @@
 #include "fem/pipeline/page/publish.h"
 #include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/verb_results.h"
-#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/presets.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"

@@ -7,6 +7,17 @@
 namespace stemware::pipeline
 {
 
+namespace
+{
+
+/// Returns a function that reads @p values, which must outlive it, at a point; NaN if @p values is empty.
+auto values_in(const std::vector<double> &values)
+{
+  return [&values](std::size_t i) { return values.empty() ? std::nan("") : values[i]; };
+}
+
+} // namespace
+
 std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points)
 {
   const std::size_t step = n > max_points ? (n + max_points - 1) / max_points : 1;
@@ -16,11 +27,6 @@ std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points)
   if (n > 0)
     points.push_back(n - 1);
   return points;
-}
-
-std::function<double(std::size_t)> values_in(const std::vector<double> &values)
-{
-  return [&values](std::size_t i) { return values.empty() ? std::nan("") : values[i]; };
 }
 
 Fields<std::size_t> torque_columns(const TorqueCurve &curve)

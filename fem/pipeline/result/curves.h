@@ -4,7 +4,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -13,16 +12,10 @@
 namespace stemware::pipeline
 {
 
-/// No limit of the number of points.
-inline constexpr std::size_t all_points = std::numeric_limits<std::size_t>::max();
-
 /// Returns the indices of @p n points, or of at most about @p max_points at equal steps, and of the last
 /// point.
-std::vector<std::size_t> points_of(std::size_t n, std::size_t max_points = all_points);
-
-/// Returns a function that reads @p values at a point; NaN if @p values is empty. @p values must outlive it.
-std::function<double(std::size_t)> values_in(const std::vector<double> &values);
-std::function<double(std::size_t)> values_in(std::vector<double> &&values) = delete;
+std::vector<std::size_t> points_of(std::size_t n,
+                                   std::size_t max_points = std::numeric_limits<std::size_t>::max());
 
 /// Returns torques of friction, lean and grip, and the friction force, over the spin.
 Fields<std::size_t> torque_columns(const TorqueCurve &curve);

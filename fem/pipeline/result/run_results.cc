@@ -1,5 +1,5 @@
 #include "fem/contact/footprint.h"
-#include "fem/geometry/section_view.h"
+#include "fem/geometry/section_lengths.h"
 #include "fem/pipeline/analysis/quantities_of_interest.h"
 #include "fem/pipeline/coupling/contact_report.h"
 #include "fem/pipeline/result/common_sections.h"
@@ -10,7 +10,6 @@
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/result/verb_results.h"
-#include "fem/pipeline/study/data_files.h"
 
 #include <algorithm>
 #include <cmath>
