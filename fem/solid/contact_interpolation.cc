@@ -14,7 +14,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <set>
 
 namespace stemware::fem
 {
@@ -41,7 +40,6 @@ struct DofShare
   }
 };
 using DofShares = std::vector<DofShare>;
-using SharesOfCell = std::pair<BinaryId, DofShares>;
 
 /// Row of the interpolation matrix for one fine node: coarse dofs with their weights.
 using Row = std::vector<std::pair<global_dof_index, double>>;
@@ -68,65 +66,30 @@ DofShares shares_of(const SolidLevel &elements, const DoFHandler<3>::active_cell
   return shares;
 }
 
-/// Directory of the cells with contact nodes. The id of a cell determines the rank that stores its entry.
-class CellDirectory
+/// Returns the shares of all cells of all ranks that have contact nodes. Collective.
+std::map<BinaryId, DofShares> cells_at_contact_nodes(const SolidLevel &elements)
 {
-public:
-  explicit CellDirectory(const SolidLevel &elements)
-      : communicator(elements.dof_handler.get_communicator())
-  {
-    ComponentMask vertical(3, false);
-    vertical.set(2, true);
-    IndexSet near_zone = DoFTools::extract_boundary_dofs(
-      elements.dof_handler, vertical, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
-    const std::vector<global_dof_index> resolved = contact_dofs(elements);
-    near_zone.add_indices(resolved.begin(), resolved.end());
-    ToRanks<SharesOfCell> entries;
-    for (const auto &cell : elements.dof_handler.active_cell_iterators())
+  const DoFHandler<3> &dof_handler = elements.dof_handler;
+  ComponentMask vertical(3, false);
+  vertical.set(2, true);
+  IndexSet near_zone = DoFTools::extract_boundary_dofs(
+    dof_handler, vertical, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
+  const std::vector<global_dof_index> resolved = contact_dofs(elements);
+  near_zone.add_indices(resolved.begin(), resolved.end());
+  std::vector<std::pair<BinaryId, DofShares>> own;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
     {
-      if (!cell->is_locally_owned())
-        continue;
       DofShares shares = shares_of(elements, cell);
       if (std::any_of(shares.begin(), shares.end(),
                       [&](const DofShare &share) { return near_zone.is_element(share.dof); }))
-      {
-        const BinaryId id = cell->id().to_binary<3>();
-        entries[home(id)].emplace_back(id, std::move(shares));
-      }
+        own.emplace_back(cell->id().to_binary<3>(), std::move(shares));
     }
-    for (const auto &received : Utilities::MPI::some_to_some(communicator, entries))
-      cells.insert(received.second.begin(), received.second.end());
-  }
-
-  /// Returns the entries of the cells in @p asked, except cells without contact nodes. Collective.
-  std::map<BinaryId, DofShares> find(const std::set<BinaryId> &asked) const
-  {
-    ToRanks<BinaryId> questions;
-    for (const BinaryId &id : asked)
-      questions[home(id)].push_back(id);
-    ToRanks<SharesOfCell> answers;
-    for (const auto &[rank, ids] : Utilities::MPI::some_to_some(communicator, questions))
-      for (const BinaryId &id : ids)
-        if (const auto place = cells.find(id); place != cells.end())
-          answers[rank].push_back(*place);
-    std::map<BinaryId, DofShares> found;
-    for (const auto &received : Utilities::MPI::some_to_some(communicator, answers))
-      found.insert(received.second.begin(), received.second.end());
-    return found;
-  }
-
-private:
-  unsigned int home(const BinaryId &id) const
-  {
-    unsigned int hash = 0;
-    for (const unsigned int part : id)
-      hash = hash * 1000003u + part;
-    return hash % Utilities::MPI::n_mpi_processes(communicator);
-  }
-
-  const MPI_Comm communicator;
   std::map<BinaryId, DofShares> cells;
-};
+  for (const auto &part : Utilities::MPI::all_gather(dof_handler.get_communicator(), own))
+    cells.insert(part.begin(), part.end());
+  return cells;
+}
 
 /// Returns the parent of a cell and the cell's child number; std::nullopt for a cell of the coarsest mesh.
 std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
@@ -144,51 +107,35 @@ std::vector<Row> owned_rows(const SolidLevel &coarse, const SolidLevel &fine, co
 {
   const FiniteElement<3> &coarse_element = coarse.dof_handler.get_fe();
   const std::vector<Point<3>> &points = fine.dof_handler.get_fe().get_unit_support_points();
-  struct NodeOfCell
-  {
-    unsigned int node, shape;
-    CellId cell;
-  };
+  const std::map<BinaryId, DofShares> coarse_cells = cells_at_contact_nodes(coarse);
   std::vector<global_dof_index> dofs(fine.dof_handler.get_fe().n_dofs_per_cell());
-  std::vector<NodeOfCell> places;
-  std::set<BinaryId> asked;
-  for (const auto &cell : fine.dof_handler.active_cell_iterators())
-    if (cell->is_locally_owned())
-    {
-      const CellId id = cell->id();
-      const std::size_t n_before = places.size();
-      cell->get_dof_indices(dofs);
-      for (unsigned int i = 0; i < dofs.size(); ++i)
-        if (const unsigned int node = fine_nodes.find(dofs[i]); node < fine_nodes.n_owned_nodes())
-          places.push_back({ node, i, id });
-      if (places.size() == n_before)
-        continue;
-      asked.insert(id.to_binary<3>());
-      if (const auto parent = parent_of(id))
-        asked.insert(parent->first);
-    }
-  const std::map<BinaryId, DofShares> found = CellDirectory(coarse).find(asked);
-
   std::vector<Row> rows(fine_nodes.n_owned_nodes());
-  for (const auto &[node, shape, id] : places)
+  for (const auto &cell : fine.dof_handler.active_cell_iterators())
   {
-    if (!rows[node].empty()) // neighbouring cells give the same row
+    if (!cell->is_locally_owned())
       continue;
-    auto cell = found.find(id.to_binary<3>());
-    Point<3> point = points[shape];
-    if (cell == found.end())
+    const CellId id = cell->id();
+    const auto same = coarse_cells.find(id.to_binary<3>());
+    const auto parent = parent_of(id);
+    const auto place = same == coarse_cells.end() && parent ? coarse_cells.find(parent->first) : same;
+    if (place ==
+        coarse_cells.end()) // the cell at most touches the zone; a neighbour in the zone gives the rows
+      continue;
+    cell->get_dof_indices(dofs);
+    for (unsigned int i = 0; i < dofs.size(); ++i)
     {
-      const auto parent = parent_of(id);
-      if (!parent || (cell = found.find(parent->first)) == found.end())
-        continue; // the cell only touches the zone; a neighbour in the zone gives the row
-      point = GeometryInfo<3>::child_to_cell_coordinates(point, parent->second);
+      const unsigned int node = fine_nodes.find(dofs[i]);
+      if (node >= rows.size() || !rows[node].empty()) // neighbouring cells give the same row
+        continue;
+      const Point<3> point =
+        place == same ? points[i] : GeometryInfo<3>::child_to_cell_coordinates(points[i], parent->second);
+      std::map<global_dof_index, double> values;
+      for (const DofShare &share : place->second)
+        values[share.dof] += share.weight * coarse_element.shape_value_component(share.shape, point, 2);
+      for (const auto &[dof, value] : values)
+        if (std::abs(value) > 1e-12)
+          rows[node].emplace_back(dof, value);
     }
-    std::map<global_dof_index, double> values;
-    for (const DofShare &share : cell->second)
-      values[share.dof] += share.weight * coarse_element.shape_value_component(share.shape, point, 2);
-    for (const auto &[dof, value] : values)
-      if (std::abs(value) > 1e-12)
-        rows[node].emplace_back(dof, value);
   }
   return rows;
 }
