@@ -1,6 +1,8 @@
 #pragma once
 
-#include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/contact_stiffness.h"
+#include "fem/solid/simd/elastic_operator.h"
+#include "fem/solid/solid_level.h"
 
 #include <deal.II/lac/diagonal_matrix.h>
 #include <deal.II/lac/precondition.h>

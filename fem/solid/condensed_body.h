@@ -3,7 +3,7 @@
 #include "fem/contact/compliant_body.h"
 #include "fem/geometry/elastic_material.h"
 #include "fem/solid/contact_nodes.h"
-#include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/solid_level.h"
 
 #include <memory>
 

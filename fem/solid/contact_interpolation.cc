@@ -1,6 +1,6 @@
 #include "fem/geometry/boundary_ids.h"
-#include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/solid_contact_zone.h"
+#include "fem/solid/solid_level.h"
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/base/mpi.h>

@@ -1,35 +1,17 @@
 #pragma once
 
-#include "fem/solid/contact_stiffness.h"
-#include "fem/solid/simd/elastic_operator.h"
+#include "fem/solid/coarse_solver.h"
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_system.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/lac/affine_constraints.h>
+#include <deal.II/multigrid/mg_matrix.h>
+#include <deal.II/multigrid/mg_smoother.h>
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+#include <deal.II/multigrid/multigrid.h>
 
 #include <memory>
 #include <vector>
 
 namespace stemware::fem
 {
-
-/// Clamps FootBoundary::stem_cut and ties hanging nodes. Throws std::invalid_argument without a stem cut.
-dealii::AffineConstraints<double> clamp_stem_cut(const dealii::DoFHandler<3> &dof_handler);
-
-/// Mesh with finite elements on it.
-struct SolidLevel
-{
-  SolidLevel(std::shared_ptr<const dealii::Triangulation<3>> triangulation, unsigned int degree,
-             unsigned int mapping_degree);
-
-  const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
-  const std::unique_ptr<const dealii::MappingQ<3>> geometry; ///< conforming_mapping()
-  const dealii::MappingQ<3> &mapping;
-  const dealii::FESystem<3> element;
-  dealii::DoFHandler<3> dof_handler;
-  dealii::AffineConstraints<double> constraints;
-};
 
 /// Mesh and degree of its elements.
 struct LevelElements
@@ -52,16 +34,19 @@ public:
   /// @p elements from the coarsest level up.
   MeshHierarchy(const std::vector<LevelElements> &elements, unsigned int mapping_degree,
                 const ElasticMaterial &material);
-  ~MeshHierarchy();
+  MeshHierarchy(const MeshHierarchy &) = delete;
 
   using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-  unsigned int n_levels() const;
+  unsigned int n_levels() const { return static_cast<unsigned int>(levels.size()); }
   /// Returns the lowest level with the elements of the finest.
-  unsigned int coarsest_mesh() const;
-  const SolidLevel &level(unsigned int l) const;
+  unsigned int coarsest_mesh() const
+  {
+    return levels.front()->element.degree < levels.back()->element.degree ? 1 : 0;
+  }
+  const SolidLevel &level(unsigned int l) const { return *levels[l]; }
   /// Returns the contact nodes of level @p l, of this rank's cells and for interpolation to the level above.
-  const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const;
+  const std::shared_ptr<const ContactNodes> &contact_nodes(unsigned int l) const { return nodes[l]; }
 
   /// Prepares V-cycles for K + B' T B from level @p l down; @p tangent: this rank's part of T on level @p l.
   void set_contact(unsigned int l, const Eigen::SparseMatrix<double> &tangent);
@@ -75,8 +60,32 @@ public:
                   const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;
 
 private:
-  struct Cycle;
-  std::unique_ptr<Cycle> cycle;
+  using Transfer = dealii::MGTransferGlobalCoarsening<3, FloatVector>;
+
+  /// V-cycle from one level down.
+  struct Cycle
+  {
+    Cycle(const MeshHierarchy &hierarchy, unsigned int l);
+
+    dealii::Multigrid<FloatVector> multigrid;
+    dealii::PreconditionMG<3, FloatVector, Transfer> preconditioner;
+  };
+
+  void find_contact_nodes();
+  void make_transfer();
+  void make_smoothers();
+
+  std::vector<std::unique_ptr<SolidLevel>> levels;
+  std::vector<std::shared_ptr<const ContactNodes>> nodes;
+  /// Interpolation to the contact nodes of each level from the next coarser level.
+  std::vector<Eigen::SparseMatrix<double>> interpolations;
+  dealii::MGLevelObject<LevelMatrix> matrices;
+  dealii::MGLevelObject<dealii::MGTwoLevelTransfer<3, FloatVector>> transfers;
+  std::unique_ptr<Transfer> transfer; ///< refers to `transfers`
+  dealii::mg::SmootherRelaxation<LevelSmoother, FloatVector> smoother;
+  std::unique_ptr<CoarseSolver> coarse_solver;
+  dealii::mg::Matrix<FloatVector> matrix;
+  mutable std::vector<std::unique_ptr<Cycle>> cycles; ///< each created on first use
 };
 
 } // namespace stemware::fem

@@ -2,7 +2,7 @@
 
 #include "fem/contact/line_integral.h"
 #include "fem/geometry/boundary_ids.h"
-#include "fem/solid/mesh_hierarchy.h"
+#include "fem/solid/solid_level.h"
 #include "ring_model/load/constants.h"
 
 #include <deal.II/base/quadrature_lib.h>

@@ -1,6 +1,7 @@
-#include "fem/solid/conforming_mapping.h"
+#include "fem/solid/solid_level.h"
 
 #include "fem/contact/contact_solution.h"
+#include "fem/geometry/boundary_ids.h"
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -15,6 +16,7 @@
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 
 namespace stemware::fem
@@ -48,6 +50,22 @@ void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_
                            "azimuthal cells.");
 }
 
+AffineConstraints<double> clamp_stem_cut(const DoFHandler<3> &dof_handler)
+{
+  constexpr auto stem_cut_id = static_cast<types::boundary_id>(FootBoundary::stem_cut);
+  const IndexSet clamped =
+    DoFTools::extract_boundary_dofs(dof_handler, ComponentMask(3, true), { stem_cut_id });
+  if (Utilities::MPI::sum(clamped.n_elements(), dof_handler.get_communicator()) == 0)
+    throw std::invalid_argument(
+      "The mesh has no stem cut: no boundary face carries the id 1; mark the faces where the stem was cut.");
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+  AffineConstraints<double> constraints(relevant);
+  DoFTools::make_hanging_node_constraints(dof_handler, constraints);
+  DoFTools::make_zero_boundary_constraints(dof_handler, stem_cut_id, constraints);
+  constraints.close();
+  return constraints;
+}
+
 } // namespace
 
 std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &mesh, unsigned int degree)
@@ -73,6 +91,18 @@ std::unique_ptr<const MappingQ<3>> conforming_mapping(const Triangulation<3> &me
   conforming->initialize(*smooth, dof_handler, positions, false);
   require_right_side_out(*conforming, dof_handler);
   return conforming;
+}
+
+SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned int degree,
+                       unsigned int mapping_degree)
+    : triangulation(std::move(mesh))
+    , geometry(conforming_mapping(*triangulation, mapping_degree))
+    , mapping(*geometry)
+    , element(FE_Q<3>(degree), 3)
+    , dof_handler(*triangulation)
+{
+  dof_handler.distribute_dofs(element);
+  constraints = clamp_stem_cut(dof_handler);
 }
 
 } // namespace stemware::fem

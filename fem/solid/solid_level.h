@@ -1,6 +1,9 @@
 #pragma once
 
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <memory>
 
@@ -14,5 +17,20 @@ namespace stemware::fem
 /// cells (refined next to a coarse chord of the rim).
 std::unique_ptr<const dealii::MappingQ<3>> conforming_mapping(const dealii::Triangulation<3> &mesh,
                                                               unsigned int degree);
+
+/// Mesh with finite elements on it.
+struct SolidLevel
+{
+  /// Clamps FootBoundary::stem_cut. Throws std::invalid_argument without a stem cut.
+  SolidLevel(std::shared_ptr<const dealii::Triangulation<3>> triangulation, unsigned int degree,
+             unsigned int mapping_degree);
+
+  const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
+  const std::unique_ptr<const dealii::MappingQ<3>> geometry; ///< conforming_mapping()
+  const dealii::MappingQ<3> &mapping;
+  const dealii::FESystem<3> element;
+  dealii::DoFHandler<3> dof_handler;
+  dealii::AffineConstraints<double> constraints; ///< clamped stem cut, hanging nodes
+};
 
 } // namespace stemware::fem
