@@ -2,7 +2,6 @@
 
 #include "fem/geometry/boundary_ids.h"
 #include "fem/solid/cell_numbers.h"
-#include "fem/solid/multigrid_stiffness.h"
 #include "ring_model/load/constants.h"
 
 #include <deal.II/base/mpi.h>
@@ -304,11 +303,11 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
        enriched_meshes(dofs.get_triangulation(), contact.inner_radius, contact.outer_radius))
     elements.push_back({ mesh, degree });
   elements.push_back({ elements.back().mesh, degree + 1 });
-  const auto hierarchy =
-    std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1, contact.body.glass());
-  const unsigned int finest = hierarchy->n_levels() - 1;
   const ElasticMaterial &glass = contact.body.glass();
-  SolidBody body(std::make_unique<MultigridStiffness>(hierarchy, finest, glass), glass, contact.gap, 0);
+  const auto hierarchy =
+    std::make_shared<MeshHierarchy>(elements, contact.straight_edges ? 1 : degree + 1, glass);
+  const unsigned int finest = hierarchy->n_levels() - 1;
+  SolidBody body(std::make_unique<BodyStiffness>(hierarchy, finest, glass), contact.gap);
   body.set_sliding(contact.sliding);
   const ContactSurface &surface = body.contact_surface();
   const Embedding embedding(*hierarchy, own);

@@ -1,7 +1,5 @@
 #include "fem/solid/solid_body.h"
 
-#include "fem/solid/multigrid_stiffness.h"
-
 #include <deal.II/dofs/dof_tools.h>
 
 #include <Eigen/Geometry>
@@ -24,37 +22,30 @@ void require_degree(unsigned int degree)
                                 " is not allowed for a solid body; give 1 or 2.");
 }
 
-/// Returns @p shared, the stiffness of a similar body, or a new stiffness if @p shared is nullptr.
-std::unique_ptr<BodyStiffness> stiffness_of(const Triangulation<3> &triangulation,
-                                            const ElasticMaterial &material, const SolidOptions &options,
-                                            std::unique_ptr<BodyStiffness> shared)
+std::unique_ptr<BodyStiffness> make_stiffness(const Triangulation<3> &triangulation,
+                                              const ElasticMaterial &material, const SolidOptions &options)
 {
-  if (shared)
-    return shared;
   require_degree(options.degree);
   material.validate();
   const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
   const auto hierarchy =
     std::make_shared<MeshHierarchy>(levels_of(triangulation, options.degree), mapping_degree, material);
-  return std::make_unique<MultigridStiffness>(hierarchy, hierarchy->n_levels() - 1, material);
+  return std::make_unique<BodyStiffness>(hierarchy, hierarchy->n_levels() - 1, material);
 }
 
 } // namespace
 
 SolidBody::SolidBody(const Triangulation<3> &triangulation, const ElasticMaterial &material,
                      const SolidGap &gap, const SolidOptions &options, const SolidBody *similar)
-    : SolidBody(
-        stiffness_of(triangulation, material, options, similar ? similar->stiffness->shared() : nullptr),
-        material, gap, options.linear_tolerance, options.line_factor)
+    : SolidBody(similar ? std::make_unique<BodyStiffness>(*similar->stiffness)
+                        : make_stiffness(triangulation, material, options),
+                gap, options.line_factor)
 {
 }
 
-SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const ElasticMaterial &material,
-                     const SolidGap &gap, double linear_tolerance, unsigned int line_factor)
+SolidBody::SolidBody(std::unique_ptr<BodyStiffness> of_body, const SolidGap &gap, unsigned int line_factor)
     : stiffness(std::move(of_body))
-    , material(material)
     , gap(gap)
-    , linear_tolerance(linear_tolerance)
     , line_factor(line_factor)
     , contact(stiffness->contact_nodes())
     , zone(describe_contact_zone(mesh(), contact.nodes(), gap, line_factor * default_lines_per_face))
@@ -70,7 +61,8 @@ std::unique_ptr<SolidBody> SolidBody::coarser() const
 {
   if (!has_coarser_mesh())
     return nullptr;
-  auto body = std::make_unique<SolidBody>(stiffness->coarser(), material, gap, linear_tolerance, line_factor);
+  auto body = std::make_unique<SolidBody>(stiffness->coarser(), gap, line_factor);
+  body->linear_tolerance = linear_tolerance;
   body->set_sliding(sliding);
   return body;
 }

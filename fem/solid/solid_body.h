@@ -33,9 +33,8 @@ public:
   /// which it shares multigrid data.
   SolidBody(const dealii::Triangulation<3> &triangulation, const ElasticMaterial &material,
             const SolidGap &gap, const SolidOptions &options = {}, const SolidBody *similar = nullptr);
-  /// Creates a body with the given stiffness; @p linear_tolerance and @p line_factor as in SolidOptions.
-  SolidBody(std::unique_ptr<BodyStiffness> stiffness, const ElasticMaterial &material, const SolidGap &gap,
-            double linear_tolerance, unsigned int line_factor = 1);
+  /// Creates a body with the given stiffness; @p line_factor as in SolidOptions.
+  SolidBody(std::unique_ptr<BodyStiffness> stiffness, const SolidGap &gap, unsigned int line_factor = 1);
 
   const ContactSurface &contact_surface() const override { return zone.surface; }
   Eigen::VectorXd contact_displacement() const override { return contact.nodes().gather(displacement); }
@@ -49,7 +48,7 @@ public:
   const dealii::DoFHandler<3> &dofs() const { return mesh().dof_handler; }
   const SolidLevel &mesh() const { return stiffness->mesh(); }
   const ContactNodes &contact_nodes() const { return contact.nodes(); }
-  const ElasticMaterial &glass() const { return material; }
+  const ElasticMaterial &glass() const { return stiffness->material; }
   /// Returns the smallest extent h of a contact cell [m]; E / h is the natural penalty of a rigid table.
   double contact_cell_size() const { return zone.smallest_cell; }
 
@@ -57,7 +56,7 @@ public:
   void set_sliding(const SlidingTraction &traction);
   /// Returns the friction force (x, y) per normal force, shape [n_nodes, 2]; empty without friction.
   Eigen::MatrixX2d friction_per_force() const { return has_friction() ? friction : Eigen::MatrixX2d(); }
-  /// Sets SolidOptions::linear_tolerance.
+  /// Sets the reduction of the residual by one linear solve; 0, the default: chosen for each Newton step.
   void set_linear_tolerance(double tolerance) { linear_tolerance = tolerance; }
 
   /// Returns whether multigrid has a coarser mesh.
@@ -88,7 +87,6 @@ public:
   std::vector<FieldFile> fields(const Eigen::Vector3d &motion, const Eigen::VectorXd &nodal_pressure) const;
 
 private:
-  using FloatVector = BodyStiffness::FloatVector;
   struct Border;
   struct ProjectedOperator;
   struct ProjectedPreconditioner;
@@ -112,9 +110,8 @@ private:
   static void for_each_state(Body &body, const Use &use);
 
   const std::unique_ptr<BodyStiffness> stiffness;
-  const ElasticMaterial material;
   const SolidGap gap;
-  double linear_tolerance;
+  double linear_tolerance = 0;
   const unsigned int line_factor;
   ContactStiffness contact;
   const SolidContactZone zone;

@@ -141,7 +141,7 @@ SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const Solid
                           foot_numbers.penalty * setup.material.young_modulus / body->contact_cell_size()))
     , n_contact_nodes(body->contact_surface().n_global_nodes())
 {
-  if (has_multipliers() && setup.options.linear_tolerance == 0)
+  if (has_multipliers())
     body->set_linear_tolerance(foot_numbers.reduction);
   if (!is_condensed(*body, setup.options))
     return;

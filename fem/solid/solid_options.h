@@ -11,8 +11,6 @@ struct SolidOptions
   unsigned int degree = 2; ///< polynomial degree of elements and of their geometry: 1 or 2
   LinearSolver linear_solver = LinearSolver::automatic;
   bool straight_edges = false; ///< geometry of degree 1 whatever the element (meshes without a round rim)
-  /// Reduction of the residual by one linear solve; 0: chosen for each Newton step.
-  double linear_tolerance = 0;
   /// Contact lines of a face, over the default.
   unsigned int line_factor = 1;
 };

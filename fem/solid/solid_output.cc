@@ -225,7 +225,7 @@ std::vector<FieldFile> SolidBody::fields(const Eigen::Vector3d &motion,
     pressure(nodes.dofs()[i]) = nodal_pressure(i);
   pressure.update_ghost_values();
 
-  const GlassFields glass_fields(material, motion);
+  const GlassFields glass_fields(glass(), motion);
   const ContactPressure contact_pressure;
   Picture picture(mesh().mapping, dof_handler);
   picture.add_data_vector(dof_handler, distributed, glass_fields);

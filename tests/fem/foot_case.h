@@ -27,26 +27,20 @@ class FactorizedStiffness : public BodyStiffness
 public:
   FactorizedStiffness(const dealii::Triangulation<3> &triangulation, unsigned int degree,
                       unsigned int mapping_degree, const ElasticMaterial &material)
-      : level(std::shared_ptr<const dealii::Triangulation<3>>(std::shared_ptr<void>(), &triangulation),
-              degree, mapping_degree)
-      , nodes(std::make_shared<const ContactNodes>(level.dof_handler.locally_owned_dofs(),
-                                                   contact_dofs(level), level.dof_handler.get_communicator()))
+      : BodyStiffness(std::make_shared<MeshHierarchy>(
+                        std::vector<LevelElements>{ { { std::shared_ptr<void>(), &triangulation }, degree } },
+                        mapping_degree, material),
+                      0, material)
   {
-    assemble_stiffness(level.mapping, level.dof_handler, material, level.constraints, stiffness);
+    assemble_stiffness(mesh().mapping, mesh().dof_handler, material, mesh().constraints, stiffness);
   }
 
-  const SolidLevel &mesh() const override { return level; }
-  std::shared_ptr<const ContactNodes> contact_nodes() const override { return nodes; }
-  void initialize(Vector &vector) const override
-  {
-    vector.reinit(level.dof_handler.locally_owned_dofs(), level.dof_handler.get_communicator());
-  }
   void vmult(Vector &dst, const Vector &src) const override { multiply(stiffness, dst, src); }
   void set_contact(const Eigen::SparseMatrix<double> &tangent) override
   {
     factors.reset(); // the factors hold a reference to `sum`
     sum.copy_from(stiffness);
-    for (const ContactNodes::Entry &entry : nodes->owned_rows(tangent))
+    for (const ContactNodes::Entry &entry : contact_nodes()->owned_rows(tangent))
       sum.add(entry.row, entry.column, entry.value);
     sum.compress(dealii::VectorOperation::add);
     using Solver = dealii::TrilinosWrappers::SolverDirect;
@@ -56,8 +50,6 @@ public:
   void precondition(Vector &dst, const Vector &src) const override { factors->solve(dst, src); }
 
 private:
-  const SolidLevel level;
-  const std::shared_ptr<const ContactNodes> nodes;
   dealii::TrilinosWrappers::SparseMatrix stiffness, sum;
   dealii::SolverControl control;
   std::unique_ptr<dealii::TrilinosWrappers::SolverDirect> factors;
@@ -85,8 +77,7 @@ inline std::unique_ptr<SolidBody> make_body(TestSolver solver, const dealii::Tri
     return std::make_unique<SolidBody>(triangulation, material, gap, options);
   const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
   return std::make_unique<SolidBody>(
-    std::make_unique<FactorizedStiffness>(triangulation, options.degree, mapping_degree, material), material,
-    gap, options.linear_tolerance);
+    std::make_unique<FactorizedStiffness>(triangulation, options.degree, mapping_degree, material), gap);
 }
 
 struct FootCase

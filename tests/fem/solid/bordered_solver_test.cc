@@ -26,9 +26,9 @@ struct OvalFoot
     SolidOptions options;
     options.degree = degree;
     options.straight_edges = true;
-    options.linear_tolerance = 1e-11;
     const SolidGap flat_land = [](double, double) { return 0.; };
     body = make_body(solver, triangulation, flat_land, options);
+    body->set_linear_tolerance(1e-11);
   }
 
   NewtonIncrement press()

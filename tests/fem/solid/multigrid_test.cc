@@ -18,11 +18,10 @@ FootResolution refined(unsigned int refinements)
   return { 24, 2, 1, refinements };
 }
 
-SolidOptions options_of(unsigned int degree, double tolerance = 0)
+SolidOptions options_of(unsigned int degree)
 {
   SolidOptions options;
   options.degree = degree;
-  options.linear_tolerance = tolerance;
   return options;
 }
 
@@ -105,8 +104,10 @@ void expect_the_increment_of_the_factorisation(const GlassProfile &profile, cons
                                                unsigned int degree)
 {
   SCOPED_TRACE("degree " + std::to_string(degree) + ", crown " + std::to_string(profile.crown_radius));
-  FootCase direct(profile, resolution, options_of(degree, 1e-11), TestSolver::factors);
-  FootCase multigrid(profile, resolution, options_of(degree, 1e-11));
+  FootCase direct(profile, resolution, options_of(degree), TestSolver::factors);
+  FootCase multigrid(profile, resolution, options_of(degree));
+  for (FootCase *foot : { &direct, &multigrid })
+    foot->body->set_linear_tolerance(1e-11);
   const WinklerInterface mat(1e11);
   direct.solve_on_winkler(1e11, load_at(1.3));
   const NewtonIncrement expected = solve_linear(direct, mat, direct.solution, load_at(1.3));
@@ -120,7 +121,8 @@ void expect_iterations_that_hardly_grow(const GlassProfile &profile, FootResolut
   unsigned int before = 0;
   for (resolution.refinements = 1; resolution.refinements <= finest; ++resolution.refinements)
   {
-    FootCase foot(profile, resolution, options_of(degree, 1e-8));
+    FootCase foot(profile, resolution, options_of(degree));
+    foot.body->set_linear_tolerance(1e-8);
     const WinklerInterface mat(1e11);
     const ContactSolution contact = solve_nested(foot, mat, load_at(1.3));
     const unsigned int iterations = solve_linear(foot, mat, contact, load_at(1.3)).linear_iterations;
