@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <tuple>
 
@@ -84,16 +83,6 @@ std::vector<std::vector<std::size_t>> CellNumbers::rings() const
     for (auto &ring : split(at_radius, heights, tolerance))
       rings.push_back(std::move(ring));
   return rings;
-}
-
-void halve(parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked)
-{
-  const CellNumbers number(mesh);
-  const std::set<std::size_t> among(marked.begin(), marked.end());
-  for (const auto &cell : mesh.active_cell_iterators())
-    if (cell->is_locally_owned() && among.count(number(cell->id())) > 0)
-      cell->set_refine_flag();
-  mesh.execute_coarsening_and_refinement();
 }
 
 } // namespace stemware::fem

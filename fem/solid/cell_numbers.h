@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deal.II/distributed/tria.h>
 #include <deal.II/grid/cell_id.h>
+#include <deal.II/grid/tria.h>
 
 #include <vector>
 
@@ -26,8 +26,5 @@ private:
   const dealii::Triangulation<3> &mesh;
   std::vector<dealii::CellId> cells;
 };
-
-/// Halves the cells @p marked, and others so that neighbours differ by at most one level. Collective.
-void halve(dealii::parallel::distributed::Triangulation<3> &mesh, const std::vector<unsigned int> &marked);
 
 } // namespace stemware::fem

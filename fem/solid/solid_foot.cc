@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -111,7 +112,12 @@ std::shared_ptr<const InterfaceLaw> interface_of(const SolidSetup &setup, const 
 
 void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked)
 {
-  halve(dynamic_cast<dealii::parallel::distributed::Triangulation<3> &>(*mesh.triangulation), marked);
+  const CellNumbers number(*mesh.triangulation);
+  const std::set<std::size_t> among(marked.begin(), marked.end());
+  for (const auto &cell : mesh.triangulation->active_cell_iterators())
+    if (cell->is_locally_owned() && among.count(number(cell->id())) > 0)
+      cell->set_refine_flag();
+  mesh.triangulation->execute_coarsening_and_refinement();
 }
 
 SolidMesh generate_solid_mesh(const GlassProfile &profile, const FootResolution &resolution)

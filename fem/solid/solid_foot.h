@@ -29,7 +29,8 @@ struct SolidMesh
   std::optional<MeshReport> report; ///< report on a mesh file; std::nullopt for a generated mesh
 };
 
-/// Halves the cells @p marked of @p mesh, numbered as in MeshError::mark() of a foot on this mesh.
+/// Halves the cells @p marked of @p mesh, numbered as in MeshError::mark() of a foot on this mesh, and others
+/// so that neighbours differ by at most one level. Collective.
 void halve(SolidMesh &mesh, const std::vector<unsigned int> &marked);
 
 /// Returns the mesh of make_foot_mesh(): a flat land, whose crown is a gap.
