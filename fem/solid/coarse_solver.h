@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/solid/contact_stiffness.h"
+#include "fem/solid/contact_nodes.h"
 #include "fem/solid/simd/elastic_operator.h"
 #include "fem/solid/solid_level.h"
 

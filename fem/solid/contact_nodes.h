@@ -8,6 +8,7 @@
 
 #include <Eigen/SparseCore>
 
+#include <memory>
 #include <vector>
 
 namespace stemware::fem
@@ -71,6 +72,35 @@ private:
   std::vector<unsigned int> other_ranks;
   /// Work vector of nodal values, owned nodes first.
   mutable dealii::LinearAlgebra::distributed::Vector<double> values;
+};
+
+/// Contribution B' T B of the table to the tangent stiffness of a mesh.
+class ContactStiffness
+{
+public:
+  using RowMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+  explicit ContactStiffness(std::shared_ptr<const ContactNodes> nodes);
+
+  const ContactNodes &nodes() const { return *contact_nodes; }
+
+  /// Sets this rank's part of T of ContactForces [N/m], shape [n_nodes, n_nodes].
+  void set(const Eigen::SparseMatrix<double> &tangent);
+  /// Returns this rank's part of T without zero entries.
+  const RowMatrix &matrix() const { return stiffness; }
+
+  /// Adds B' T B @p src to @p dst.
+  template <typename Number>
+  void vmult_add(dealii::LinearAlgebra::distributed::Vector<Number> &dst,
+                 const dealii::LinearAlgebra::distributed::Vector<Number> &src) const;
+
+  /// Adds the row sums of |T| over all parts: a diagonal bound of T.
+  void add_row_sums(dealii::LinearAlgebra::distributed::Vector<float> &diagonal) const;
+
+private:
+  std::shared_ptr<const ContactNodes> contact_nodes;
+  bool is_zero = true; ///< same value on all ranks
+  RowMatrix stiffness;
 };
 
 } // namespace stemware::fem

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace stemware::fem
@@ -65,11 +66,6 @@ struct SampledFace
   }
 };
 
-bool is_contact_face(const DoFHandler<3>::active_cell_iterator &cell, unsigned int f)
-{
-  return cell->is_locally_owned() && is_on(cell->face(f), FootBoundary::contact_zone);
-}
-
 /// Returns a tensor grid of @p n x @p n equidistant points on [0, 1]^2; the first direction runs fastest.
 Quadrature<2> equidistant_samples(unsigned int n)
 {
@@ -93,7 +89,7 @@ std::vector<SampledFace> sample_faces(const SolidLevel &mesh)
   for (const auto &cell : mesh.dof_handler.active_cell_iterators())
     for (const unsigned int f : cell->face_indices())
     {
-      if (!is_contact_face(cell, f))
+      if (!cell->is_locally_owned() || !is_on(cell->face(f), FootBoundary::contact_zone))
         continue;
       fe_values.reinit(cell, f);
       cell->get_dof_indices(cell_dofs);
@@ -281,28 +277,10 @@ std::vector<HorizontalPlaces> horizontal_places(const SolidLevel &mesh, const Co
 
 std::vector<global_dof_index> contact_dofs(const SolidLevel &mesh)
 {
-  const FiniteElement<3> &element = mesh.element;
-  std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell()), dofs;
-  for (const auto &cell : mesh.dof_handler.active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
-    {
-      if (!is_contact_face(cell, f))
-        continue;
-      cell->get_dof_indices(cell_dofs);
-      for (unsigned int i = 0; i < cell_dofs.size(); ++i)
-      {
-        if (element.system_to_component_index(i).first != 2 || !element.has_support_on_face(i, f))
-          continue;
-        if (!mesh.constraints.is_constrained(cell_dofs[i]))
-          dofs.push_back(cell_dofs[i]);
-        else
-          for (const auto &entry : *mesh.constraints.get_constraint_entries(cell_dofs[i]))
-            dofs.push_back(entry.first);
-      }
-    }
-  std::sort(dofs.begin(), dofs.end());
-  dofs.erase(std::unique(dofs.begin(), dofs.end()), dofs.end());
-  return dofs;
+  std::set<global_dof_index> dofs;
+  for (const SampledFace &face : sample_faces(mesh))
+    dofs.insert(face.dofs.begin(), face.dofs.end());
+  return { dofs.begin(), dofs.end() };
 }
 
 SolidContactZone describe_contact_zone(const SolidLevel &mesh, const ContactNodes &nodes, const SolidGap &gap,

@@ -4,6 +4,7 @@
 #include "fem/solid/contact_nodes.h"
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace stemware::fem
@@ -43,5 +44,17 @@ std::vector<dealii::types::global_dof_index> contact_dofs(const SolidLevel &mesh
 /// their parents; the gap is z plus @p gap(x, y). Throws std::invalid_argument if no rank has such a face.
 SolidContactZone describe_contact_zone(const SolidLevel &mesh, const ContactNodes &nodes, const SolidGap &gap,
                                        unsigned int lines_per_face);
+
+/// Contact nodes of a coarse mesh, and their interpolation to the contact nodes of a finer mesh.
+struct ContactInterpolation
+{
+  std::shared_ptr<const ContactNodes> coarse_nodes; ///< contact_dofs(), and nodes used by the rows
+  Eigen::SparseMatrix<double> matrix;               ///< shape [n fine, n coarse]
+};
+
+/// Returns the interpolation from contact nodes of @p coarse to @p fine_nodes of @p fine. Cells of the two
+/// meshes are equal or parent and child; elements and ranks may differ.
+ContactInterpolation interpolation_between(const SolidLevel &coarse, const SolidLevel &fine,
+                                           const ContactNodes &fine_nodes);
 
 } // namespace stemware::fem
