@@ -12,7 +12,7 @@
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
-#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_file.h"
 
 #include <deal.II/grid/tria.h>

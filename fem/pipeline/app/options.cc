@@ -7,7 +7,7 @@
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/coupling/make_foot.h"
-#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"

@@ -6,7 +6,6 @@
 #include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/presets.h"
-#include "fem/pipeline/study/profile_file.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_size.h"
 

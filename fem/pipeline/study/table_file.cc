@@ -47,14 +47,13 @@ std::optional<char> named_separator(const std::string &origin, const std::string
 class TableReader
 {
 public:
-  TableReader(const std::string &origin, const std::string &text, bool blanks_separate)
+  TableReader(const std::string &origin, const std::string &text)
       : origin(origin)
       , text(text)
-      , blanks_separate(blanks_separate)
   {
   }
 
-  TextTable read()
+  TextTable read(bool blanks_separate)
   {
     const std::optional<char> named = named_separator(origin, text);
     if (named)
@@ -62,10 +61,7 @@ public:
     while (skip_to_row())
     {
       if (table.rows.empty())
-      {
-        separator = named ? *named : separator_of(text, place, blanks_separate);
-        table.separator = separator;
-      }
+        table.separator = named ? *named : separator_of(text, place, blanks_separate);
       read_row();
     }
     return table;
@@ -83,13 +79,10 @@ private:
   /// Moves to the next row, past blank lines and comments. Returns false at the end of the text.
   bool skip_to_row()
   {
-    const auto is_blank = [](char letter) { return letter == ' ' || letter == '\t' || letter == '\r'; };
     while (!at_end())
     {
-      const std::size_t first = static_cast<std::size_t>(
-        std::find_if_not(text.begin() + static_cast<std::ptrdiff_t>(place), text.end(), is_blank) -
-        text.begin());
-      if (first < text.size() && text[first] != '\n' && text[first] != '#')
+      const std::size_t first = text.find_first_not_of(" \t\r", place);
+      if (first != text.npos && text[first] != '\n' && text[first] != '#')
         return true;
       skip_line();
     }
@@ -108,7 +101,7 @@ private:
     bool is_last = false;
     while (!is_last)
       row.cells.push_back(read_cell(is_last));
-    if (separator == ' ') // several blanks count as one separator
+    if (table.separator == ' ') // several blanks count as one separator
       row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
     table.rows.push_back(row);
   }
@@ -116,29 +109,24 @@ private:
   /// Reads a cell and its separator; returns the cell. Sets @p is_last to true at the end of the row.
   std::string read_cell(bool &is_last)
   {
-    std::string cell, quoted;
+    std::string cell;
     bool has_quotes = false;
     while (!at_end())
     {
       const char letter = next();
       is_last = letter == '\n';
-      if (is_last || letter == separator || (separator == ' ' && letter == '\t'))
-        return finished(cell, quoted, has_quotes);
+      if (is_last || letter == table.separator || (table.separator == ' ' && letter == '\t'))
+        return boost::trim_copy(cell);
       if (letter == '"' && boost::trim_copy(cell).empty() && !has_quotes)
       {
         has_quotes = true;
-        quoted = read_quoted();
+        cell = read_quoted();
       }
       else
         cell += letter;
     }
     is_last = true;
-    return finished(cell, quoted, has_quotes);
-  }
-
-  static std::string finished(const std::string &cell, const std::string &quoted, bool has_quotes)
-  {
-    return has_quotes ? boost::trim_copy(quoted + cell) : boost::trim_copy(cell);
+    return boost::trim_copy(cell);
   }
 
   std::string read_quoted()
@@ -160,8 +148,6 @@ private:
   }
 
   const std::string &origin, &text;
-  const bool blanks_separate;
-  char separator = '\n';
   std::size_t place = 0;
   unsigned int line = 1;
   TextTable table;
@@ -180,7 +166,7 @@ std::string with_decimal_point(std::string cell)
 
 TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate)
 {
-  return TableReader(origin, text, blanks_separate).read();
+  return TableReader(origin, text).read(blanks_separate);
 }
 
 std::pair<std::string, std::string> parse_heading(const std::string &cell)

@@ -1,5 +1,5 @@
 #include "fem/pipeline/base/failures.h"
-#include "fem/pipeline/study/profile_file.h"
+#include "fem/pipeline/study/data_files.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_file.h"
 #include "tests/fem/pipeline/matchers.h"
