@@ -359,31 +359,21 @@ void halve_where(const std::function<bool(double radius, double height)> &is_nea
   triangulation.execute_coarsening_and_refinement();
 }
 
-void refine_land(const GlassProfile &profile, double inner, double outer, Triangulation<3> &triangulation)
-{
-  const double tolerance = 1e-6 * profile.land_width;
-  halve_where(
-    [&](double radius, double height)
-    {
-      return height < profile.land_height + tolerance && radius > inner - tolerance &&
-             radius < outer + tolerance;
-    },
-    triangulation);
-}
-
 /// For a step, halves the cells with a vertex on the inner edge of the land. For a smooth underside, halves
 /// the cells within one cell width @p cell [m] of this edge.
 void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
                  Triangulation<3> &triangulation)
 {
-  const double inner = profile.land_inner_radius();
+  const double inner = profile.land_inner_radius(), tolerance = 1e-6 * profile.land_width;
   for (unsigned int i = 0; i < n_halvings; ++i, cell /= 2)
-    if (profile.shape == GlassShape::step)
-      refine_land(profile, inner, inner, triangulation);
-    else
-      halve_where([&](double radius, double height)
-                  { return std::hypot(radius - inner, height) < 1.001 * cell; },
-                  triangulation);
+    halve_where(
+      [&](double radius, double height)
+      {
+        return profile.shape == GlassShape::step
+                 ? height < profile.land_height + tolerance && std::abs(radius - inner) < tolerance
+                 : std::hypot(radius - inner, height) < 1.001 * cell;
+      },
+      triangulation);
 }
 
 } // namespace
@@ -400,12 +390,9 @@ void make_foot_mesh(const GlassProfile &profile, const FootResolution &resolutio
   mark_boundaries(profile, triangulation);
   if (resolution.refinements > 0)
     triangulation.refine_global(resolution.refinements);
-  for (unsigned int i = 0; i < resolution.land_refinements; ++i)
-    refine_land(profile, profile.land_inner_radius(), profile.land_outer_radius(), triangulation);
+  const double land_cell = profile.land_width / resolution.radial_cells;
   refine_edge(profile, resolution.edge_halvings,
-              std::ldexp(profile.land_width / resolution.radial_cells,
-                         -static_cast<int>(resolution.refinements + resolution.land_refinements)),
-              triangulation);
+              std::ldexp(land_cell, -static_cast<int>(resolution.refinements)), triangulation);
 }
 
 } // namespace stemware::fem

@@ -12,9 +12,8 @@ struct FootResolution
   unsigned int radial_cells = 4;     ///< across the land; even, so that r = contact_radius is a mesh line
   unsigned int foot_layers = 2;      ///< through the thickness of the foot
   unsigned int refinements = 0;      ///< halvings of every cell of the mesh with these counts
-  unsigned int land_refinements = 0; ///< further halvings of the cells at the land, with hanging nodes
   /// Further halvings at the land's inner side, where a flat land on a hard table has most pressure: in a
-  /// step up to the re-entrant corner, otherwise one cell wide.
+  /// step up to the re-entrant corner, otherwise one cell wide. They make hanging nodes.
   unsigned int edge_halvings = 0;
 
   /// Throws std::invalid_argument for inadmissible counts.

@@ -47,10 +47,10 @@ NewtonIncrement solve_linear(FootCase &foot, const InterfaceLaw &interface, cons
 } // namespace
 
 template <typename Number>
-void expect_the_assembled_matrix(unsigned int degree, unsigned int land_refinements, double tolerance)
+void expect_the_assembled_matrix(unsigned int degree, unsigned int edge_halvings, double tolerance)
 {
   dealii::parallel::distributed::Triangulation<3> mesh(MPI_COMM_WORLD);
-  make_foot_mesh(GlassProfile(), { 12, 2, 1, 0, land_refinements }, mesh);
+  make_foot_mesh(GlassProfile(), { 12, 2, 1, 0, edge_halvings }, mesh);
   const SolidLevel level(std::shared_ptr<const dealii::Triangulation<3>>(&mesh, [](const auto *) {}), degree,
                          degree);
   const dealii::IndexSet &owned = level.dof_handler.locally_owned_dofs();
@@ -89,10 +89,10 @@ TEST(MatrixFree, OperatorEqualsTheAssembledMatrix)
 {
   for (const unsigned int degree : { 1u, 2u, 3u })
   {
-    for (const unsigned int land_refinements : { 0u, 1u })
+    for (const unsigned int edge_halvings : { 0u, 1u })
     {
-      expect_the_assembled_matrix<double>(degree, land_refinements, 1e-12);
-      expect_the_assembled_matrix<float>(degree, land_refinements, 1e-5);
+      expect_the_assembled_matrix<double>(degree, edge_halvings, 1e-12);
+      expect_the_assembled_matrix<float>(degree, edge_halvings, 1e-5);
     }
   }
 }

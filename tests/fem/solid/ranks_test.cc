@@ -185,7 +185,7 @@ TEST(Ranks, FieldFilesContainEveryCellOnceWithTheFieldsOfASingleRank)
 {
   const auto picture_on = [](MPI_Comm communicator)
   {
-    const PressedFoot foot(communicator, { 24, 2, 1, 0, 0, 1 }, 2); // creates hanging nodes
+    const PressedFoot foot(communicator, { 24, 2, 1, 0, 1 }, 2); // creates hanging nodes
     return files_of(foot.body->fields(foot.solution.motion, foot.law->nodal_pressure(foot.solution)),
                     communicator);
   };
