@@ -19,21 +19,10 @@ using namespace dealii;
 namespace
 {
 
-/// Parameters of ML, tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells (docs/method/solid_measurements.md).
-struct AggregationParameters
-{
-  int n_smoothing_steps = 4;      ///< degree of the Chebyshev smoother on the intermediate levels
-  double smoothing_range = 20;    ///< largest eigenvalue divided by the lower end of the smoothed range
-  int max_factorised_rows = 4000; ///< rows above which an aggregated level is aggregated again
-  /// Rows up to which a matrix is factorised without aggregation. The limit is larger than
-  /// max_factorised_rows, because aggregated levels have denser rows.
-  int max_sparse_rows = 10000;
-};
-constexpr AggregationParameters parameters = {};
-
 /// Returns smoothed aggregation (ML of Trilinos) for the stiffness @p matrix of linear elements; a small
 /// matrix is factorised instead. vmult() is one W-cycle, symmetric and positive semidefinite. The caller
-/// smooths the finest level.
+/// smooths the finest level. The parameters are tuned on feet of 48 x 2 x 2 to 192 x 8 x 8 cells
+/// (docs/method/solid_measurements.md).
 ///
 /// @p modes: rigid motions as in rigid_motions(). References to both arguments are kept.
 std::unique_ptr<dealii::TrilinosWrappers::PreconditionAMG>
@@ -50,12 +39,13 @@ coarse_preconditioner(const dealii::TrilinosWrappers::SparseMatrix &matrix, std:
   list.set("aggregation: type", "Uncoupled");
   list.set("smoother: type", "Chebyshev");
   list.set("smoother: type (level 0)", "do-nothing"); // the caller smooths this level
-  list.set("smoother: sweeps", parameters.n_smoothing_steps);
-  list.set("smoother: Chebyshev alpha", parameters.smoothing_range);
+  list.set("smoother: sweeps", 4);            // degree of the Chebyshev smoother on the intermediate levels
+  list.set("smoother: Chebyshev alpha", 20.); // largest eigenvalue over the lower end of the smoothed range
   list.set("smoother: pre or post", "both");
   list.set("coarse: type", "Amesos-KLU");
-  const bool is_small = matrix.m() <= static_cast<unsigned int>(parameters.max_sparse_rows);
-  list.set("coarse: max size", is_small ? parameters.max_sparse_rows : parameters.max_factorised_rows);
+  // Rows up to which a matrix is factorised. Aggregated levels have denser rows, so their limit is lower.
+  constexpr int max_sparse_rows = 10000, max_aggregated_rows = 4000;
+  list.set("coarse: max size", matrix.m() <= max_sparse_rows ? max_sparse_rows : max_aggregated_rows);
   list.set("ML output", 0);
   auto result = std::make_unique<dealii::TrilinosWrappers::PreconditionAMG>();
   result->initialize(matrix, list);
@@ -133,9 +123,9 @@ float LevelMatrix::el(size_type, size_type) const
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix)
 {
   LevelSmoother::AdditionalData data;
-  data.smoothing_range = multigrid_parameters.smoothing_range;
-  data.degree = multigrid_parameters.degree;
-  data.eig_cg_n_iterations = multigrid_parameters.n_eigenvalue_iterations;
+  data.smoothing_range = 40; // ratio of the largest to the smallest smoothed eigenvalue
+  data.degree = 5;
+  data.eig_cg_n_iterations = 15; // for the largest eigenvalue
   data.preconditioner = matrix.jacobi();
   return data;
 }

@@ -54,18 +54,7 @@ private:
 using LevelSmoother =
   dealii::PreconditionChebyshev<LevelMatrix, FloatVector, dealii::DiagonalMatrix<FloatVector>>;
 
-/// Parameters of multigrid (docs/method/solid_measurements.md).
-struct MultigridParameters
-{
-  /// Degree of the smoother's polynomial, and ratio of the largest to the smallest smoothed eigenvalue.
-  unsigned int degree = 5;
-  double smoothing_range = 40;
-  unsigned int n_eigenvalue_iterations = 15; ///< for the largest eigenvalue
-};
-/// Multigrid parameters in use.
-inline constexpr MultigridParameters multigrid_parameters = {};
-
-/// Returns the options of the smoother of every level.
+/// Returns the options of the smoother of every level (docs/method/solid_measurements.md).
 LevelSmoother::AdditionalData smoothing_of(const LevelMatrix &matrix);
 
 /// Approximate inverse of K + B' T B on the coarsest level, symmetric and positive definite: Chebyshev
