@@ -109,11 +109,13 @@ private:
   std::optional<Layout> layout_by_heading() const
   {
     const TableRow<std::string> &row = table.rows.front();
-    if (is_row_of_numbers(row) || !names_each_column(row))
+    if (is_row_of_numbers(row))
       return std::nullopt;
     Layout layout;
     std::vector<std::string> headings;
     for (const FileColumn &column : columns)
+    {
+      const std::size_t n_before = headings.size();
       for (std::size_t place = 0; place < row.cells.size(); ++place)
         if (const auto unit = unit_text_in(row.cells[place], column))
         {
@@ -121,6 +123,9 @@ private:
           layout.units.push_back(*unit);
           headings.push_back(row.cells[place]);
         }
+      if (headings.size() == n_before)
+        return std::nullopt;
+    }
     ensure(layout.places.size() == columns.size(),
            setting + ", line " + std::to_string(row.line) + ": the header names a column twice (" +
              shortened(boost::join(headings, ", ")) + "); rename all but one of them.");
@@ -129,28 +134,15 @@ private:
     return layout;
   }
 
-  bool names_each_column(const TableRow<std::string> &row) const
-  {
-    return std::all_of(columns.begin(), columns.end(),
-                       [&](const FileColumn &column)
-                       {
-                         return std::any_of(row.cells.begin(), row.cells.end(),
-                                            [&](const auto &cell)
-                                            { return unit_text_in(cell, column).has_value(); });
-                       });
-  }
-
   /// Returns the layout of a table without a heading: the columns in their given order, in SI units. Throws
   /// BadInput if the first row seems to be a heading that does not name the columns.
   Layout layout_without_heading() const
   {
     const TableRow<std::string> &row = table.rows.front();
-    ensure(n_cells(row) != columns.size() ||
-             std::any_of(row.cells.begin(), row.cells.end(),
-                         [&](const auto &cell) { return number_in(cell).has_value(); }),
-           bad_heading(row));
+    const bool has_number = std::any_of(row.cells.begin(), row.cells.end(),
+                                        [&](const auto &cell) { return number_in(cell).has_value(); });
     const bool is_long = n_cells(row) > columns.size() && !number_in(row.cells.front());
-    ensure(!is_long, bad_heading(row));
+    ensure((n_cells(row) != columns.size() || has_number) && !is_long, bad_heading(row));
     Layout layout;
     for (std::size_t i = 0; i < columns.size(); ++i)
       layout.places.push_back(i);

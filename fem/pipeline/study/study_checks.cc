@@ -19,14 +19,9 @@ namespace stemware::pipeline
 namespace
 {
 
-bool is_plausible(const StudyEntry &entry, double value)
-{
-  return entry.plausible->first <= value && value <= entry.plausible->second;
-}
-
 bool is_implausible(const StudyEntry &entry, double value)
 {
-  return entry.plausible && value != 0 && !is_plausible(entry, value);
+  return entry.plausible && value != 0 && (value < entry.plausible->first || value > entry.plausible->second);
 }
 
 std::vector<StudyEntry> implausible_entries(const std::vector<StudyEntry> &entries)
@@ -265,10 +260,9 @@ std::string implausible_note(const StudyEntry &entry, double value)
                                   [&](const std::string &unit)
                                   {
                                     const auto other = parse_quantity(number + ' ' + unit, entry.unit);
-                                    return other && is_plausible(entry, *other);
+                                    return other && !is_implausible(entry, *other);
                                   });
-  return assignment(entry, value) + " is outside " + to_short_text(entry.plausible->first) + " to " +
-         to_short_text(entry.plausible->second) + unit_behind_number(entry) + " for a glass; " +
+  return assignment(entry, value) + " is outside " + plausible_text(entry) + " for a glass; " +
          (meant != units.end() ? "write " + number + ' ' + *meant + " if that is meant."
                                : "check number and unit.");
 }
