@@ -5,7 +5,6 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <stdexcept>
 
 namespace stemware::fem
 {
@@ -15,17 +14,9 @@ using namespace dealii;
 namespace
 {
 
-void require_degree(unsigned int degree)
-{
-  if (degree != 1 && degree != 2)
-    throw std::invalid_argument("Degree = " + std::to_string(degree) +
-                                " is not allowed for a solid body; give 1 or 2.");
-}
-
 std::unique_ptr<BodyStiffness> make_stiffness(const Triangulation<3> &triangulation,
                                               const ElasticMaterial &material, const SolidOptions &options)
 {
-  require_degree(options.degree);
   material.validate();
   const unsigned int mapping_degree = options.straight_edges ? 1 : options.degree;
   const auto hierarchy =

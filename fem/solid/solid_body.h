@@ -2,7 +2,7 @@
 
 #include "fem/contact/elastic_body.h"
 #include "fem/contact/sliding_traction.h"
-#include "fem/solid/body_stiffness.h"
+#include "fem/solid/mesh_hierarchy.h"
 #include "fem/solid/solid_contact_zone.h"
 #include "fem/solid/solid_options.h"
 
