@@ -1,8 +1,7 @@
-#include "fem/pipeline/study/column_table.h"
-
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/study/quantity_text.h"
+#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/case_conv.hpp>
 #include <boost/algorithm/string/classification.hpp>

@@ -3,7 +3,7 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text_file.h"
-#include "fem/pipeline/study/column_table.h"
+#include "fem/pipeline/study/table_file.h"
 
 #include <boost/algorithm/string/trim.hpp>
 

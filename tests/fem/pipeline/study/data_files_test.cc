@@ -1,5 +1,5 @@
 #include "fem/pipeline/base/text_file.h"
-#include "fem/pipeline/study/column_table.h"
+#include "fem/pipeline/study/table_file.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"
