@@ -56,22 +56,19 @@ public:
 
   void skip_line() { rest.remove_prefix(std::min(rest.find('\n'), rest.size())); }
 
-  double number()
+  double number() { return next_value<double>(); }
+  long whole_number() { return next_value<long>(); }
+
+private:
+  template <typename Number>
+  Number next_value()
   {
     const std::string_view word = next();
-    if (const auto value = whole_word<double>(word))
-      return *value;
-    refuse_word(word);
-  }
-  long whole_number()
-  {
-    const std::string_view word = next();
-    if (const auto value = whole_word<long>(word))
+    if (const auto value = whole_word<Number>(word))
       return *value;
     refuse_word(word);
   }
 
-private:
   std::string_view rest;
 };
 

@@ -4,6 +4,7 @@
 #include "fem/geometry/mesh_content.h"
 #include "fem/geometry/mesh_quality.h"
 
+#include <deal.II/grid/grid_tools.h>
 #include <deal.II/grid/manifold_lib.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/lac/vector.h>
@@ -13,7 +14,6 @@
 #include <array>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <map>
 #include <ostream>
 #include <sstream>
@@ -40,18 +40,7 @@ unsigned int count_faces(const Triangulation<3> &triangulation, FootBoundary bou
   return n_faces;
 }
 
-template <typename Visit>
-void for_each_boundary_face(const Triangulation<3> &triangulation, const Visit &visit)
-{
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int f : cell->face_indices())
-      if (cell->face(f)->at_boundary())
-        visit(cell, cell->face(f));
-}
-
-using Face = Triangulation<3>::face_iterator;
-
-bool lies_at(const Face &face, double z, double distance)
+bool lies_at(const Triangulation<3>::face_iterator &face, double z, double distance)
 {
   for (const unsigned int v : face->vertex_indices())
     if (std::abs(face->vertex(v)[2] - z) > distance)
@@ -63,48 +52,40 @@ bool lies_at(const Face &face, double z, double distance)
 /// the top of the mesh as stem cut if no face has the id of the stem cut.
 void mark_by_height(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
-  double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-  for_each_boundary_face(triangulation,
-                         [&](const auto &, const Face &face)
-                         {
-                           for (const unsigned int v : face->vertex_indices())
-                           {
-                             lowest = std::min(lowest, face->vertex(v)[2]);
-                             highest = std::max(highest, face->vertex(v)[2]);
-                           }
-                         });
+  const auto [lower, upper] = GridTools::compute_bounding_box(triangulation).get_boundary_points();
+  const double lowest = lower[2], highest = upper[2];
   const bool has_stem_cut = count_faces(triangulation, FootBoundary::stem_cut) > 0;
-  for_each_boundary_face(triangulation,
-                         [&](const auto &cell, const Face &face)
-                         {
-                           const auto outward = face->center() - cell->center();
-                           // The margin excludes vertical walls whose slope has a rounding error.
-                           const double upward = outward[2] + 1e-6 * outward.norm();
-                           if (upward < 0 && lies_at(face, lowest, marks.contact_height))
-                             face->set_boundary_id(contact_id);
-                           else if (face->boundary_id() == contact_id)
-                             face->set_boundary_id(0);
-                           if (!has_stem_cut && upward > 0 &&
-                               lies_at(face, highest, 1e-6 * (highest - lowest)))
-                             face->set_boundary_id(stem_cut_id);
-                         });
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+    {
+      if (!face->at_boundary())
+        continue;
+      const auto outward = face->center() - cell->center();
+      // The margin excludes vertical walls whose slope has a rounding error.
+      const double upward = outward[2] + 1e-6 * outward.norm();
+      if (upward < 0 && lies_at(face, lowest, marks.contact_height))
+        face->set_boundary_id(contact_id);
+      else if (face->boundary_id() == contact_id)
+        face->set_boundary_id(0);
+      if (!has_stem_cut && upward > 0 && lies_at(face, highest, 1e-6 * (highest - lowest)))
+        face->set_boundary_id(stem_cut_id);
+    }
 }
 
 /// Replaces the ids of @p marks by the ids of FootBoundary. Faces with any other id are free.
 void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 {
-  for_each_boundary_face(triangulation,
-                         [&](const auto &, const Face &face)
-                         {
-                           types::boundary_id id = face->boundary_id();
-                           if (id == marks.contact_id)
-                             id = contact_id;
-                           else if (id == marks.stem_id)
-                             id = stem_cut_id;
-                           else if (id == contact_id || id == stem_cut_id)
-                             id = 0;
-                           face->set_boundary_id(id);
-                         });
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+    {
+      const types::boundary_id id = face->boundary_id();
+      if (id == marks.contact_id)
+        face->set_boundary_id(contact_id);
+      else if (id == marks.stem_id)
+        face->set_boundary_id(stem_cut_id);
+      else if (id == contact_id || id == stem_cut_id)
+        face->set_boundary_id(0);
+    }
   if (marks.contact_height > 0)
     mark_by_height(marks, triangulation);
 }
@@ -113,18 +94,16 @@ void mark(const MeshFileOptions &marks, Triangulation<3> &triangulation)
 std::map<types::boundary_id, double> heights_by_id(const Triangulation<3> &triangulation)
 {
   constexpr types::boundary_id max_entry = 65000;
-  std::map<types::boundary_id, std::pair<double, unsigned int>> sums;
-  for_each_boundary_face(triangulation,
-                         [&](const auto &, const Face &face)
-                         {
-                           auto &[sum, n_faces] = sums[face->boundary_id()];
-                           sum += face->center()[2];
-                           ++n_faces;
-                         });
   std::map<types::boundary_id, double> heights;
-  for (const auto &[id, sum] : sums)
-    if (id != 0 && id <= max_entry)
-      heights[id] = sum.first / sum.second;
+  std::map<types::boundary_id, unsigned int> n_faces;
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() != 0 && face->boundary_id() <= max_entry)
+    {
+      heights[face->boundary_id()] += face->center()[2];
+      ++n_faces[face->boundary_id()];
+    }
+  for (auto &[id, height] : heights)
+    height /= n_faces[id];
   return heights;
 }
 
@@ -317,12 +296,10 @@ void write_mesh_vtu(const Triangulation<3> &triangulation, std::ostream &stream)
   const std::vector<double> of_cells = scaled_jacobians(triangulation);
   const Vector<double> jacobians(of_cells.begin(), of_cells.end());
   Vector<double> ids(triangulation.n_active_cells());
-  for_each_boundary_face(triangulation,
-                         [&](const auto &cell, const Face &face)
-                         {
-                           double &id = ids(cell->active_cell_index());
-                           id = std::max<double>(id, face->boundary_id());
-                         });
+  for (const auto &cell : triangulation.active_cell_iterators())
+    for (const auto &face : cell->face_iterators())
+      if (double &id = ids(cell->active_cell_index()); face->at_boundary())
+        id = std::max<double>(id, face->boundary_id());
   DataOut<3> output;
   output.attach_triangulation(triangulation);
   output.add_data_vector(jacobians, "scaled_jacobian");
