@@ -114,14 +114,13 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
     const double distance = std::max({ cell.begin - result.focus_end, result.focus_begin - cell.end, 0. });
     return std::min(largest, resolution.size_at(distance));
   };
-  const auto is_wide = [&](std::size_t i)
-  { return cells[i].end - cells[i].begin > allowed_size(cells[i]) * (1 + rounding); };
-  const auto is_unbalanced = [&](std::size_t i)
+  const auto is_too_large = [&](std::size_t i)
   {
-    const auto differs_from = [&](std::size_t j) { return cells[j].n_halvings > cells[i].n_halvings + 1; };
-    return (i > 0 && differs_from(i - 1)) || (i + 1 < cells.size() && differs_from(i + 1));
+    const auto is_finer = [&](std::size_t j) { return cells[j].n_halvings > cells[i].n_halvings + 1; };
+    return cells[i].end - cells[i].begin > allowed_size(cells[i]) * (1 + rounding) ||
+           (i > 0 && is_finer(i - 1)) || (i + 1 < cells.size() && is_finer(i + 1));
   };
-  while (halve(cells, is_wide) || halve(cells, is_unbalanced))
+  while (halve(cells, is_too_large))
     require(cells.size() <= max_cells, "Contact cells of ", resolution.focus_size, " m within ",
             resolution.focus_width, " m of their focus are more than ", max_cells,
             "; ask for larger ones or a narrower band.");

@@ -17,12 +17,6 @@ ProfileChart::ProfileChart(const GlassProfile &profile)
 {
 }
 
-bool ProfileChart::within_stem(double radius) const
-{
-  // Same tolerance as in pull_back().
-  return radius <= fillet.middle_radius * (1 + 1e-9);
-}
-
 double ProfileChart::top(double radius) const
 {
   return radius < fillet.middle_radius ? fillet.middle_height : profile.topside(radius);
@@ -31,7 +25,7 @@ double ProfileChart::top(double radius) const
 Point<2> ProfileChart::push_forward(const Point<2> &point) const
 {
   const double radius = point[0], level = point[1];
-  if (level <= 1 || !within_stem(radius))
+  if (level <= 1 || radius > fillet.middle_radius * (1 + 1e-9)) // the tolerance of pull_back()
   {
     const double bottom = profile.underside(radius);
     return { radius, bottom + level * (top(radius) - bottom) };

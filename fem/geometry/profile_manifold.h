@@ -34,7 +34,6 @@ public:
   dealii::Point<2> pull_back(const dealii::Point<2> &point) const;
 
 private:
-  bool within_stem(double radius) const;
   double top(double radius) const;
 
   GlassProfile profile;
