@@ -68,12 +68,6 @@ struct EntryList
       .path_value = &value;
   }
 
-  template <typename... Facts>
-  void words(const std::string &name, std::string &value, const std::string &help, const Facts &...facts)
-  {
-    append(name, value, "words without # and line ends, or nothing", help, in_one_line, as_it_is, facts...);
-  }
-
   void waviness(const std::string &name, Waviness &value, const std::string &help)
   {
     append(name, value, waviness_words, help, parse_waviness, waviness_text);
@@ -136,49 +130,35 @@ struct EntryList
   }
 };
 
-/// Technical term that is not an entry name. `paths`: entries that the term may mean, most common first.
-struct FieldWord
+/// Technical terms that are no entry names. `paths`: entries that a term may mean, most common first.
+struct FieldWords
 {
-  std::string word; ///< case-insensitive
+  std::vector<std::string> words; ///< case-insensitive
   std::vector<std::string> paths;
 };
 
-const std::vector<FieldWord> field_words = {
-  { "E", { "Glass/Young modulus", "Table/Disc Young modulus" } },
-  { "nu", { "Glass/Poisson ratio", "Table/Disc Poisson ratio" } },
-  { "ν", { "Glass/Poisson ratio", "Table/Disc Poisson ratio" } },
-  { "mu", { "Motion/Friction coefficient" } },
-  { "μ", { "Motion/Friction coefficient" } },
-  { "mu_k", { "Motion/Friction coefficient" } },
-  { "mu_s", { "Motion/Static friction coefficient" } },
-  { "v_s", { "Motion/Friction decay speed" } },
-  { "c", { "Motion/Viscous friction" } },
-  { "R", { "Glass/Contact radius", "Motion/Orbit radius", "Table/Disc radius" } },
-  { "radius", { "Glass/Contact radius", "Motion/Orbit radius", "Table/Disc radius" } },
-  { "m", { "Motion/Mass" } },
-  { "weight", { "Motion/Mass" } },
-  { "g", { "Motion/Gravity" } },
-  { "v", { "Motion/Orbit speed" } },
-  { "speed", { "Motion/Orbit speed" } },
-  { "omega", { "Motion/Orbit speed" } },
-  { "ω", { "Motion/Orbit speed" } },
-  { "rho", { "Motion/Orbit radius" } },
-  { "ρ", { "Motion/Orbit radius" } },
-  { "rho_c", { "Glass/Crown radius" } },
-  { "z_cm", { "Motion/Centre of mass height" } },
-  { "z", { "Motion/Centre of mass height" } },
-  { "h", { "Motion/Centre of mass height", "Table/Disc thickness", "Glass/Foot thickness" } },
-  { "thickness", { "Table/Disc thickness", "Glass/Foot thickness" } },
-  { "hand", { "Motion/Hand height" } },
-  { "dz", { "Motion/Force offset" } },
-  { "I", { "Motion/Yaw inertia" } },
-  { "inertia", { "Motion/Yaw inertia" } },
-  { "k", { "Table/Foundation modulus" } },
-  { "stiffness", { "Table/Foundation modulus" } },
-  { "p_0", { "Table/Reference pressure" } },
-  { "p0", { "Table/Reference pressure" } },
-  { "l", { "Table/Decay length" } },
-  { "roughness", { "Table/Decay length" } },
+const std::vector<FieldWords> field_words = {
+  { { "E" }, { "Glass/Young modulus", "Table/Disc Young modulus" } },
+  { { "nu", "ν" }, { "Glass/Poisson ratio", "Table/Disc Poisson ratio" } },
+  { { "mu", "μ", "mu_k" }, { "Motion/Friction coefficient" } },
+  { { "mu_s" }, { "Motion/Static friction coefficient" } },
+  { { "v_s" }, { "Motion/Friction decay speed" } },
+  { { "c" }, { "Motion/Viscous friction" } },
+  { { "R", "radius" }, { "Glass/Contact radius", "Motion/Orbit radius", "Table/Disc radius" } },
+  { { "m", "weight" }, { "Motion/Mass" } },
+  { { "g" }, { "Motion/Gravity" } },
+  { { "v", "speed", "omega", "ω" }, { "Motion/Orbit speed" } },
+  { { "rho", "ρ" }, { "Motion/Orbit radius" } },
+  { { "rho_c" }, { "Glass/Crown radius" } },
+  { { "z_cm", "z" }, { "Motion/Centre of mass height" } },
+  { { "h" }, { "Motion/Centre of mass height", "Table/Disc thickness", "Glass/Foot thickness" } },
+  { { "thickness" }, { "Table/Disc thickness", "Glass/Foot thickness" } },
+  { { "hand" }, { "Motion/Hand height" } },
+  { { "dz" }, { "Motion/Force offset" } },
+  { { "I", "inertia" }, { "Motion/Yaw inertia" } },
+  { { "k", "stiffness" }, { "Table/Foundation modulus" } },
+  { { "p_0", "p0" }, { "Table/Reference pressure" } },
+  { { "l", "roughness" }, { "Table/Decay length" } },
 };
 
 /// Returns the entry meant by a technical term, e.g. "E" or "Table/E". Prefers the section in @p word.
@@ -186,8 +166,9 @@ std::optional<std::string> meant_by_field(const std::string &word)
 {
   const std::size_t slash = word.find('/'), name = slash < word.size() ? slash + 1 : 0;
   const std::string section = word.substr(0, name);
-  for (const FieldWord &known : field_words)
-    if (boost::iequals(known.word, word.substr(name)))
+  for (const FieldWords &known : field_words)
+    if (std::any_of(known.words.begin(), known.words.end(),
+                    [&](const std::string &term) { return boost::iequals(term, word.substr(name)); }))
     {
       const auto own =
         std::find_if(known.paths.begin(), known.paths.end(),
