@@ -36,8 +36,6 @@ public:
   /// Returns the number of the node with @p dof; n_nodes() if this rank does not have it.
   unsigned int find(Dof dof) const;
   const SurfaceParts &parts() const { return all_parts; }
-  /// Returns the ranks that own the ghost nodes, the nodes from n_owned_nodes() on.
-  const std::vector<unsigned int> &ghost_ranks() const { return other_ranks; }
 
   /// Returns the nodal values of @p vector over the dofs.
   template <typename Number>
@@ -69,7 +67,7 @@ private:
   SurfaceParts all_parts;
   std::vector<Dof> all_dofs;
   std::vector<unsigned int> places;
-  std::vector<unsigned int> other_ranks;
+  std::vector<unsigned int> other_ranks; ///< ranks that own the ghost nodes
   /// Work vector of nodal values, owned nodes first.
   mutable dealii::LinearAlgebra::distributed::Vector<double> values;
 };
