@@ -157,17 +157,6 @@ ContactLine make_line(const SampledFace &face, double eta, double weight, const 
   return line;
 }
 
-std::vector<ContactLine> make_lines(const std::vector<SampledFace> &faces, const ContactNodes &nodes,
-                                    const SolidGap &gap, unsigned int lines_per_face)
-{
-  const QGauss<1> gauss(lines_per_face);
-  std::vector<ContactLine> lines;
-  for (const SampledFace &face : faces)
-    for (unsigned int q = 0; q < gauss.size(); ++q)
-      lines.push_back(make_line(face, 2 * gauss.point(q)[0] - 1, 2 * gauss.weight(q), nodes, gap));
-  return lines;
-}
-
 /// Calls @p visit(cell, shape, node, dofs of the cell) once for each owned node, with one of this rank's
 /// cells at the node and the node's shape function in this cell. The cell may have no contact face.
 template <typename Visit>
@@ -244,15 +233,6 @@ void measure(ContactSurface &surface, const ContactNodes &nodes, unsigned int li
     std::max(1., std::round(2 * ring::pi * n_faces / surface.parts.sum(total_width))));
 }
 
-double smallest_edge(const std::vector<SampledFace> &faces, const SurfaceParts &parts)
-{
-  double smallest = std::numeric_limits<double>::max();
-  for (const SampledFace &face : faces)
-    for (unsigned int direction = 0; direction < 2; ++direction)
-      smallest = std::min(smallest, face.edge_direction(direction).norm());
-  return parts.min(smallest);
-}
-
 } // namespace
 
 std::vector<HorizontalPlaces> horizontal_places(const SolidLevel &mesh, const ContactNodes &nodes)
@@ -294,9 +274,18 @@ SolidContactZone describe_contact_zone(const SolidLevel &mesh, const ContactNode
     throw std::invalid_argument("The mesh has no contact zone: no boundary face carries the id 2; mark the "
                                 "faces that may touch the table.");
   describe_nodes(mesh, nodes, gap, zone.surface);
-  zone.surface.lines = make_lines(faces, nodes, gap, lines_per_face);
+  const QGauss<1> gauss(lines_per_face);
+  double smallest = std::numeric_limits<double>::max();
+  for (const SampledFace &face : faces)
+  {
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      zone.surface.lines.push_back(
+        make_line(face, 2 * gauss.point(q)[0] - 1, 2 * gauss.weight(q), nodes, gap));
+    for (unsigned int direction = 0; direction < 2; ++direction)
+      smallest = std::min(smallest, face.edge_direction(direction).norm());
+  }
   measure(zone.surface, nodes, lines_per_face);
-  zone.smallest_cell = smallest_edge(faces, zone.surface.parts);
+  zone.smallest_cell = zone.surface.parts.min(smallest);
   return zone;
 }
 
