@@ -127,38 +127,6 @@ struct TangentPreconditioner
   void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
 };
 
-/// Returns NewtonIncrement::stability_margin. @p leaning: H, the moment of the weight per tilt. @p
-/// resistance: R - H with the stiffness R of body and table against the table motions.
-double stability_margin_of(const Eigen::Matrix3d &resistance, const Eigen::Matrix3d &leaning)
-{
-  return leaning.isZero(0) ? 1 : resistance.determinant() / (resistance + leaning).determinant();
-}
-
-/// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. On entry, @p increment solves
-/// the system with the symmetric part of the matrix. Generalised conjugate residuals (Eisenstat, Elman,
-/// Schultz, SIAM J. Numer. Anal. 20 (1983) 345) reduce @p residual to @p target. @p solve(residual, target)
-/// solves with the symmetric part without changing the resultants.
-template <typename Solve>
-void correct_for_friction(SolidIncrement &increment, BodyVector residual, double target, const Solve &solve)
-{
-  constexpr unsigned int max_corrections = 12;
-  // Residual reduction per correction; friction is a small part of the matrix.
-  constexpr double reduction = 0.05;
-  std::vector<SolidIncrement> before;
-  for (double norm = residual.l2_norm(); norm > target && before.size() < max_corrections;
-       norm = residual.l2_norm())
-  {
-    SolidIncrement next = solve(residual, std::max(reduction * norm, target / 2));
-    increment.n_iterations += next.n_iterations;
-    for (const auto &other : before)
-      next.add(-(next.image * other.image) / other.image.norm_sqr(), other);
-    const double share = (residual * next.image) / next.image.norm_sqr();
-    increment.add(share, next);
-    residual.add(-share, next.image);
-    before.push_back(std::move(next));
-  }
-}
-
 } // namespace
 
 /// Columns and corner that the table motions add to the system of one Newton step.
@@ -256,6 +224,30 @@ struct SolidBody::SymmetricStep
     body.stiffness->vmult(solution.image, solution.body);
     solution.image += body.contact_load(forces_of(solution));
     return solution;
+  }
+
+  /// Corrects @p increment for friction, which makes Newton's matrix unsymmetric. On entry, @p increment
+  /// solves the system with the symmetric part of the matrix. Generalised conjugate residuals (Eisenstat,
+  /// Elman, Schultz, SIAM J. Numer. Anal. 20 (1983) 345) reduce @p residual to @p target. The resultants
+  /// stay.
+  void correct_for_friction(SolidIncrement &increment, Vector residual, double target) const
+  {
+    constexpr unsigned int max_corrections = 12;
+    // Residual reduction per correction; friction is a small part of the matrix.
+    constexpr double reduction = 0.05;
+    std::vector<SolidIncrement> before;
+    for (double norm = residual.l2_norm(); norm > target && before.size() < max_corrections;
+         norm = residual.l2_norm())
+    {
+      SolidIncrement next = solve(residual, Eigen::Vector3d::Zero(), std::max(reduction * norm, target / 2));
+      increment.n_iterations += next.n_iterations;
+      for (const auto &other : before)
+        next.add(-(next.image * other.image) / other.image.norm_sqr(), other);
+      const double share = (residual * next.image) / next.image.norm_sqr();
+      increment.add(share, next);
+      residual.add(-share, next.image);
+      before.push_back(std::move(next));
+    }
   }
 };
 
@@ -380,9 +372,7 @@ NewtonIncrement SolidBody::solve(const Eigen::SparseMatrix<double> &tangent, con
   {
     Vector left = residual(forces);
     left -= solution.image;
-    correct_for_friction(solution, std::move(left), 2 * target,
-                         [&](const Vector &of, double to)
-                         { return step.solve(of, Eigen::Vector3d::Zero(), to); });
+    step.correct_for_friction(solution, std::move(left), 2 * target);
   }
 
   // The slope of the energy below includes the work of friction, because residual() includes friction.
@@ -425,7 +415,8 @@ void SolidBody::close_conditions(const LinearConditions &conditions, const Scale
     throw ContactFailure(ContactOutcome::linear_solver_failed,
                          "the conditions on the contact forces do not determine the table's motions.");
   const Eigen::Vector3d further = factors.solve(remaining);
-  solution.stability_margin = stability_margin_of(matrix, leaning);
+  if (!leaning.isZero(0))
+    solution.stability_margin = matrix.determinant() / (matrix + leaning).determinant();
   solution.motion += further;
   solution.displacement += (response - motions.modes) * further;
   for (unsigned int i = 0; i < solution.body.locally_owned_size(); ++i)
