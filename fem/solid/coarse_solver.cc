@@ -91,7 +91,6 @@ void LevelMatrix::reinit(const SolidLevel &level, const ElasticMaterial &materia
 {
   elastic = make_elastic_operator<float>(level.mapping, level.dof_handler, level.constraints, material);
   contact = std::make_unique<ContactStiffness>(nodes);
-  n_rows = level.dof_handler.n_dofs();
   elastic->compute_diagonal(elastic_diagonal);
   inverse_diagonal = std::make_shared<DiagonalMatrix<FloatVector>>();
   set_contact(Eigen::SparseMatrix<double>(nodes->n_nodes(), nodes->n_nodes()));

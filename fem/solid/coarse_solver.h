@@ -33,8 +33,8 @@ public:
 
   void vmult(FloatVector &dst, const FloatVector &src) const;
   void Tvmult(FloatVector &dst, const FloatVector &src) const { vmult(dst, src); }
-  size_type m() const { return n_rows; }
-  size_type n() const { return n_rows; }
+  size_type m() const { return elastic_diagonal.size(); }
+  size_type n() const { return m(); }
   /// Throws: the matrix has no stored entries.
   float el(size_type, size_type) const;
 
@@ -45,7 +45,6 @@ public:
 private:
   std::unique_ptr<ElasticOperator<float>> elastic;
   std::unique_ptr<ContactStiffness> contact;
-  size_type n_rows = 0;
   FloatVector elastic_diagonal;
   std::shared_ptr<dealii::DiagonalMatrix<FloatVector>> inverse_diagonal;
 };

@@ -6,7 +6,6 @@
 
 #include <deal.II/base/mpi.h>
 #include <deal.II/distributed/tria.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/grid/tria.h>
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
@@ -150,12 +149,6 @@ constexpr double dual_tolerance = 1e-4;
 constexpr double last_change = 0.1;
 constexpr double left_unbalanced = 1e-3;
 
-DofVector vector_on(const SolidLevel &level)
-{
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(level.dof_handler);
-  return DofVector(level.dof_handler.locally_owned_dofs(), relevant, level.dof_handler.get_communicator());
-}
-
 /// Transfer of displacements, in double precision, between the level of the mesh and the finer levels.
 class Embedding
 {
@@ -176,12 +169,12 @@ public:
   /// Returns @p vector on the finest level, with 0 at constrained unknowns.
   DofVector embedded(const DofVector &vector) const
   {
-    DofVector coarse = vector_on(hierarchy.level(own));
+    DofVector coarse = hierarchy.level(own).ghosted();
     coarse.copy_locally_owned_data_from(vector);
     for (unsigned int l = own + 1; l < hierarchy.n_levels(); ++l)
     {
       hierarchy.level(l - 1).constraints.set_zero(coarse);
-      DofVector fine = vector_on(hierarchy.level(l));
+      DofVector fine = hierarchy.level(l).ghosted();
       transfers[l - own - 1].prolongate_and_add(fine, coarse);
       hierarchy.level(l).constraints.set_zero(fine);
       coarse.swap(fine);
@@ -193,31 +186,22 @@ public:
   DofVector interpolated(const DofVector &vector) const
   {
     const unsigned int finest = hierarchy.n_levels() - 1;
-    DofVector fine = distributed(finest, vector);
+    DofVector fine = hierarchy.level(finest).distributed(vector);
     for (unsigned int l = finest; l > own; --l)
     {
       const SolidLevel &above = hierarchy.level(l), &below = hierarchy.level(l - 1);
-      DofVector coarse = vector_on(below);
+      DofVector coarse = below.ghosted();
       if (above.element.degree > below.element.degree)
         // deal.II's transfer would project here, and the result would depend on the order of the cells.
         FETools::interpolate(above.dof_handler, fine, below.dof_handler, below.constraints, coarse);
       else
         transfers[l - own - 1].interpolate(coarse, fine);
-      fine = distributed(l - 1, coarse);
+      fine = below.distributed(coarse);
     }
     return embedded(fine);
   }
 
 private:
-  DofVector distributed(unsigned int l, const DofVector &vector) const
-  {
-    DofVector result = vector_on(hierarchy.level(l));
-    result.copy_locally_owned_data_from(vector);
-    hierarchy.level(l).constraints.distribute(result);
-    result.update_ghost_values();
-    return result;
-  }
-
   const MeshHierarchy &hierarchy;
   const unsigned int own;
   std::vector<MGTwoLevelTransfer<3, DofVector>> transfers;
@@ -229,7 +213,7 @@ std::vector<double> sums_over_cells(const SolidLevel &level, const DofVector &pr
 {
   const MPI_Comm &communicator = level.dof_handler.get_communicator();
   std::vector<types::global_dof_index> dofs(level.element.n_dofs_per_cell());
-  DofVector multiplicity = vector_on(level), values = vector_on(level);
+  DofVector multiplicity = level.ghosted(), values = level.ghosted();
   const auto for_each_cell = [&](const auto &visit)
   {
     for (const auto &cell : level.dof_handler.active_cell_iterators())

@@ -1,10 +1,9 @@
 #include "fem/solid/solid_body.h"
 
-#include <deal.II/dofs/dof_tools.h>
-
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstring>
 
 namespace stemware::fem
 {
@@ -146,27 +145,23 @@ void SolidBody::for_each_state(Body &body, const Use &use)
   use(&body.border_stiffness, 1);
 }
 
-void SolidBody::write_state(std::ostream &stream) const
+std::string SolidBody::state() const
 {
-  for_each_state(
-    *this, [&](const auto *numbers, std::size_t n)
-    { stream.write(reinterpret_cast<const char *>(numbers), std::streamsize(n * sizeof *numbers)); });
+  std::string bytes;
+  for_each_state(*this, [&](const auto *numbers, std::size_t n)
+                 { bytes.append(reinterpret_cast<const char *>(numbers), n * sizeof *numbers); });
+  return bytes;
 }
 
-void SolidBody::read_state(std::istream &stream)
+void SolidBody::set_state(const std::string &bytes)
 {
-  for_each_state(*this, [&](auto *numbers, std::size_t n)
-                 { stream.read(reinterpret_cast<char *>(numbers), std::streamsize(n * sizeof *numbers)); });
-}
-
-SolidBody::Vector SolidBody::displacement_for_output() const
-{
-  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dofs());
-  Vector result(dofs().locally_owned_dofs(), relevant, dofs().get_communicator());
-  result.copy_locally_owned_data_from(displacement);
-  mesh().constraints.distribute(result);
-  result.update_ghost_values();
-  return result;
+  const char *next = bytes.data();
+  for_each_state(*this,
+                 [&](auto *numbers, std::size_t n)
+                 {
+                   std::memcpy(numbers, next, n * sizeof *numbers);
+                   next += n * sizeof *numbers;
+                 });
 }
 
 } // namespace stemware::fem

@@ -7,7 +7,7 @@
 #include "fem/solid/solid_options.h"
 
 #include <array>
-#include <iosfwd>
+#include <string>
 
 namespace stemware::fem
 {
@@ -66,15 +66,15 @@ public:
   /// Interpolates the displacement of coarser() to this body.
   void interpolate_from(const SolidBody &coarse);
 
-  /// Writes this rank's binary state, to be read on the same mesh and number of ranks.
-  void write_state(std::ostream &stream) const;
-  void read_state(std::istream &stream);
+  /// Returns this rank's binary state, for set_state() on the same mesh and number of ranks.
+  std::string state() const;
+  void set_state(const std::string &bytes);
 
   void set_displacement(const Vector &vector);
   /// Sets the displacement under nodal @p forces [N] and their friction. Throws as solve().
   void set_forces(const Eigen::VectorXd &forces);
   /// Returns the displacement with ghost values.
-  Vector displacement_for_output() const;
+  Vector displacement_for_output() const { return mesh().distributed(displacement); }
   /// Returns the load of nodal @p forces with their friction, minus K u.
   Vector residual(const Eigen::VectorXd &forces) const;
   /// Returns x of [K + B'TB, B'TQ; Q'TB, Q'TQ] [x; q] = [B' @p nodal; @p on_motions], T the @p tangent, with

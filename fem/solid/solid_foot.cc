@@ -17,7 +17,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -34,15 +33,11 @@ SolidGap gap_of(const SolidMesh &mesh, const GlassProfile &profile)
   return [profile](double x, double y) { return profile.gap(std::hypot(x, y)); };
 }
 
-bool has_straight_edges(const SolidMesh &mesh)
+/// Returns @p setup with the edges of @p mesh.
+SolidSetup setup_on(const SolidMesh &mesh, SolidSetup setup)
 {
-  return mesh.report && !mesh.report->round_rim;
-}
-
-SolidOptions options_of(const SolidMesh &mesh, SolidOptions options)
-{
-  options.straight_edges = has_straight_edges(mesh);
-  return options;
+  setup.options.straight_edges = mesh.report && !mesh.report->round_rim;
+  return setup;
 }
 
 struct FootNumbers
@@ -135,12 +130,11 @@ SolidMesh read_solid_mesh(const std::string &file, unsigned int refinements, con
   return { mesh, report };
 }
 
-SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &setup, const SolidFoot *similar)
-    : setup(setup)
+SolidFoot::SolidFoot(const SolidMesh &mesh, const SolidSetup &given, const SolidFoot *similar)
+    : setup(setup_on(mesh, given))
     , mesh(mesh)
     , body(std::make_unique<SolidBody>(*mesh.triangulation, setup.material, gap_of(mesh, setup.profile),
-                                       options_of(mesh, setup.options),
-                                       similar ? similar->body.get() : nullptr))
+                                       setup.options, similar ? similar->body.get() : nullptr))
     , interface(interface_of(setup, *body))
     , softening_of_coarser(is_spring(setup, *body) ? foot_numbers.softening : 1)
     , law(interface->make(body->contact_surface(),
@@ -202,33 +196,19 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
   const double axis = axis_of(slip);
   state.solution = press(axis == 0 ? demand : demand.in_rotated_axes(axis), slip, guess.previous, control);
   if (!condensed)
-  {
-    std::ostringstream written;
-    body->write_state(written);
-    state.body = std::make_shared<const std::string>(written.str());
-  }
+    state.body = std::make_shared<const std::string>(body->state());
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
   state.load = project_onto_rings(state, demand.ring_radii, demand.n_harmonics);
   std::tie(state.inner_radius, state.outer_radius) = loaded_band(law->load(state.solution, 1));
   return state;
 }
 
-ElasticBody &SolidFoot::pressed_body() const
-{
-  if (condensed)
-    return *condensed;
-  return *body;
-}
-
 void SolidFoot::restore(const ContactState &state) const
 {
   if (condensed)
-  {
     condensed->set_forces(state.solution.forces);
-    return;
-  }
-  std::istringstream written(*state.body);
-  body->read_state(written);
+  else
+    body->set_state(*state.body);
 }
 
 void SolidFoot::restore_displacement(const ContactState &state) const
@@ -254,9 +234,10 @@ ContactSolution SolidFoot::in_mesh_axes(const ContactState &state) const
 ContactSolution SolidFoot::find_contact(const LinearConditions &conditions, ContactControl control,
                                         std::optional<ContactStart> start) const
 {
+  ElasticBody &pressed = condensed ? static_cast<ElasticBody &>(*condensed) : *body;
   const auto solve = [&](const ContactControl &to)
   {
-    return solve_contact(pressed_body(), *law, conditions, setup.profile.contact_radius, to,
+    return solve_contact(pressed, *law, conditions, setup.profile.contact_radius, to,
                          start ? &*start : nullptr);
   };
   if (!has_multipliers())
@@ -360,7 +341,7 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
     extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);
   contact.inner_radius = state.inner_radius;
   contact.outer_radius = state.outer_radius;
-  contact.straight_edges = has_straight_edges(mesh);
+  contact.straight_edges = setup.options.straight_edges;
   ContactGoal in_mesh_axes = goal;
   if (axis != 0)
     in_mesh_axes.of_load = goal.of_load.of_rotated(axis);

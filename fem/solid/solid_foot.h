@@ -18,7 +18,6 @@ namespace stemware::fem
 {
 
 class CondensedBody;
-class ElasticBody;
 class SolidBody;
 struct NodalCompliance;
 
@@ -92,9 +91,7 @@ public:
 
 private:
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Returns the body whose contacts are solved: condensed() or `body`.
-  ElasticBody &pressed_body() const;
-  /// Sets the pressed body to the displacement of @p state.
+  /// Sets the body whose contacts are solved (`condensed` or `body`) to the displacement of @p state.
   void restore(const ContactState &state) const;
   /// Sets `body` to the displacement of @p state.
   void restore_displacement(const ContactState &state) const;

@@ -12,7 +12,6 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/lac/affine_constraints.h>
-#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/numerics/vector_tools_interpolate.h>
 
 #include <algorithm>
@@ -103,6 +102,21 @@ SolidLevel::SolidLevel(std::shared_ptr<const Triangulation<3>> mesh, unsigned in
 {
   dof_handler.distribute_dofs(element);
   constraints = clamp_stem_cut(dof_handler);
+}
+
+SolidLevel::Vector SolidLevel::ghosted() const
+{
+  const IndexSet relevant = DoFTools::extract_locally_relevant_dofs(dof_handler);
+  return Vector(dof_handler.locally_owned_dofs(), relevant, dof_handler.get_communicator());
+}
+
+SolidLevel::Vector SolidLevel::distributed(const Vector &vector) const
+{
+  Vector result = ghosted();
+  result.copy_locally_owned_data_from(vector);
+  constraints.distribute(result);
+  result.update_ghost_values();
+  return result;
 }
 
 } // namespace stemware::fem

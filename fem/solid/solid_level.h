@@ -4,6 +4,7 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
+#include <deal.II/lac/la_parallel_vector.h>
 
 #include <memory>
 
@@ -24,6 +25,13 @@ struct SolidLevel
   /// Clamps FootBoundary::stem_cut. Throws std::invalid_argument without a stem cut.
   SolidLevel(std::shared_ptr<const dealii::Triangulation<3>> triangulation, unsigned int degree,
              unsigned int mapping_degree);
+
+  using Vector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+  /// Returns a zero vector of the unknowns with the ghost values of this rank's cells. Collective.
+  Vector ghosted() const;
+  /// Returns @p vector with ghost values, and with the values of constrained unknowns. Collective.
+  Vector distributed(const Vector &vector) const;
 
   const std::shared_ptr<const dealii::Triangulation<3>> triangulation;
   const std::unique_ptr<const dealii::MappingQ<3>> geometry; ///< conforming_mapping()
