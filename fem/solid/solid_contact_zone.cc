@@ -66,24 +66,14 @@ struct SampledFace
   }
 };
 
-/// Returns a tensor grid of @p n x @p n equidistant points on [0, 1]^2; the first direction runs fastest.
-Quadrature<2> equidistant_samples(unsigned int n)
-{
-  std::vector<Point<2>> points;
-  for (unsigned int t = 0; t < n; ++t)
-    for (unsigned int s = 0; s < n; ++s)
-      points.emplace_back(s / (n - 1.), t / (n - 1.));
-  return Quadrature<2>(points);
-}
-
 std::vector<SampledFace> sample_faces(const SolidLevel &mesh)
 {
   const FiniteElement<3> &element = mesh.element;
   // Above degree 2, the shape functions are approximated by a quadratic on each half of an edge.
   const unsigned int n_parts = element.degree > 2 ? 2 : 1;
   const unsigned int n_samples = 2 * n_parts + 1;
-  FEFaceValues<3> fe_values(mesh.mapping, element, equidistant_samples(n_samples),
-                            update_values | update_quadrature_points);
+  const QIterated<2> equidistant(QTrapezoid<1>(), 2 * n_parts); // the first direction runs fastest
+  FEFaceValues<3> fe_values(mesh.mapping, element, equidistant, update_values | update_quadrature_points);
   std::vector<global_dof_index> cell_dofs(element.n_dofs_per_cell());
   std::vector<SampledFace> faces;
   for (const auto &cell : mesh.dof_handler.active_cell_iterators())
