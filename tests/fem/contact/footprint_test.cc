@@ -1,5 +1,5 @@
 #include "fem/contact/footprint.h"
-#include "fem/contact/pressure_profile.h"
+#include "fem/contact/stiff_spring.h"
 #include "ring_model/load/constants.h"
 #include "tests/ulps.h"
 
