@@ -1,8 +1,17 @@
 #include "fem/revolution/compliance_cache.h"
 
-#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/meridian_space.h"
+#include "fem/revolution/parallel_for.h"
 
 #include <deal.II/grid/tria.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <tbb/task_arena.h>
 
 namespace stemware::fem
 {
@@ -37,23 +46,75 @@ std::vector<double> key_of(const dealii::Triangulation<2> &triangulation, const 
   return key;
 }
 
+std::shared_ptr<const ContactCompliance> truncated(ContactCompliance compliance,
+                                                   const MeridianOptions &options)
+{
+  compliance.tail = compliance.harmonics[options.tail_harmonic()];
+  compliance.harmonics.resize(options.n_harmonics + 1);
+  return std::make_shared<const ContactCompliance>(std::move(compliance));
+}
+
 } // namespace
 
-std::shared_ptr<const ContactCompliance> ComplianceCache::with_more_harmonics(std::vector<double> key,
-                                                                              const MeridianOptions &options,
-                                                                              unsigned int factor)
+ContactCompliance compute_compliance(const dealii::Triangulation<2> &triangulation,
+                                     const ElasticMaterial &material, const MeridianOptions &options,
+                                     const std::function<void()> &interruption)
 {
-  key[harmonics_place] = factor * options.n_harmonics;
-  std::unique_lock<std::mutex> lock(mutex);
-  const auto found = entries.find(key);
-  if (found == entries.end())
-    return nullptr;
-  const Entry entry = found->second;
-  lock.unlock();
-  ContactCompliance fewer = *entry.get();
-  fewer.tail = fewer.harmonics[options.tail_harmonic()];
-  fewer.harmonics.resize(options.n_harmonics + 1);
-  return std::make_shared<const ContactCompliance>(std::move(fewer));
+  material.validate();
+  if (options.degree < 1 || options.degree > 4)
+    throw std::invalid_argument("Degree = " + std::to_string(options.degree) +
+                                " is not allowed for a body of revolution; give 1, 2, 3 or 4.");
+  const MeridianSpace space(triangulation, material, options.degree);
+  Eigen::VectorXd radii(space.n_contact_nodes());
+  for (unsigned int i = 0; i < space.n_contact_nodes(); ++i)
+    radii(i) = space.contact_radius(i);
+  const auto [first, size] = nodes_between(radii, options.degree, options.inner_radius, options.outer_radius);
+  ContactCompliance result;
+  result.degree = options.degree;
+  result.n_meridian_unknowns = space.n_dofs();
+  result.radii = radii.segment(first, size);
+  result.n_inside = first;
+  result.n_outside = radii.size() - first - size;
+  result.harmonics.resize(options.n_harmonics + 1);
+  // An exception that leaves the parallel loop would cancel later parallel work of deal.II.
+  std::exception_ptr interrupted;
+  std::atomic<bool> is_interrupted = false;
+  const auto goes_on = [&]
+  {
+    try
+    {
+      if (interruption && !is_interrupted)
+        interruption();
+    }
+    catch (...)
+    {
+      if (!is_interrupted.exchange(true))
+        interrupted = std::current_exception();
+    }
+    return !is_interrupted;
+  };
+  // Without isolation, a thread that waits here could start another study, which could wait for this
+  // compliance (deadlock).
+  tbb::this_task_arena::isolate(
+    [&, first = first, size = size]
+    {
+      std::array<std::unique_ptr<const MeridianSpace::Compliances>, 3> of; // for harmonics 0, 1, and >= 2
+      parallel_for(3, [&](unsigned int n)
+                   { of[n] = std::make_unique<const MeridianSpace::Compliances>(space, n, first, size); });
+      parallel_for(options.n_harmonics + 2,
+                   [&](unsigned int n)
+                   {
+                     if (!goes_on())
+                       return;
+                     const bool is_beyond = n > options.n_harmonics;
+                     const unsigned int harmonic = is_beyond ? options.tail_harmonic() : n;
+                     (is_beyond ? result.tail : result.harmonics[n]) =
+                       (*of[std::min(harmonic, 2u)])(harmonic);
+                   });
+    });
+  if (interrupted)
+    std::rethrow_exception(interrupted);
+  return result;
 }
 
 std::shared_ptr<const ContactCompliance> ComplianceCache::get(const dealii::Triangulation<2> &triangulation,
@@ -62,17 +123,19 @@ std::shared_ptr<const ContactCompliance> ComplianceCache::get(const dealii::Tria
 {
   material.validate(); // a NaN would break the comparison of keys
   const std::vector<double> key = key_of(triangulation, material, options);
-  for (const unsigned int factor : { 2, 4 })
-    if (const auto more = with_more_harmonics(key, options, factor))
-      return more;
   std::promise<std::shared_ptr<const ContactCompliance>> promise;
   {
     std::unique_lock<std::mutex> lock(mutex);
-    if (const auto found = entries.find(key); found != entries.end())
+    for (const unsigned int factor : { 2, 4, 1 })
     {
+      std::vector<double> with_more_harmonics = key;
+      with_more_harmonics[harmonics_place] *= factor;
+      const auto found = entries.find(with_more_harmonics);
+      if (found == entries.end())
+        continue;
       const Entry entry = found->second;
       lock.unlock();
-      return entry.get();
+      return factor == 1 ? entry.get() : truncated(*entry.get(), options);
     }
     if (entries.size() >= max_entries)
       entries.clear();

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "fem/revolution/compute_compliance.h"
+#include "fem/geometry/triangulation.h"
+#include "fem/revolution/contact_compliance.h"
 
 #include <cstddef>
 #include <functional>
@@ -13,6 +14,15 @@
 
 namespace stemware::fem
 {
+
+/// Computes the compliances of the contact zone (boundary id 2) of the body of revolution with the meridional
+/// section @p triangulation, fixed at boundary id 1 (docs/method/revolution.md, "One meridional problem per
+/// harmonic"). K_n = K_0 + n K_1 + n^2 K_2 is integrated once; each harmonic is factorised (Cholesky) with
+/// its own conditions on the axis, on deal.II's threads. @p interruption is called before each harmonic, from
+/// any thread; its exceptions end the work. Throws std::invalid_argument for an inadmissible degree or mesh.
+ContactCompliance compute_compliance(const dealii::Triangulation<2, 2> &triangulation,
+                                     const ElasticMaterial &material, const MeridianOptions &options = {},
+                                     const std::function<void()> &interruption = {});
 
 /// Cache of the compliances of bodies of revolution by mesh, material and options. Thread-safe; threads wait
 /// for a compliance that is being computed. Compliances in use stay alive when the cache is emptied.
@@ -36,10 +46,6 @@ public:
   unsigned int n_computed() const;
 
 private:
-  /// Returns a compliance truncated from a cached one with @p factor times the harmonics, or nullptr.
-  std::shared_ptr<const ContactCompliance>
-  with_more_harmonics(std::vector<double> key, const MeridianOptions &options, unsigned int factor);
-
   using Entry = std::shared_future<std::shared_ptr<const ContactCompliance>>;
 
   const std::size_t max_entries;

@@ -1,7 +1,7 @@
 // References: closed forms with quadrature (Boussinesq, Cerruti, transfer function of a layer); for punches:
 // annular_punch.py (docs/verification/annular_punch.md).
 #include "fem/contact/hard_interface.h"
-#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "ring_model/load/constants.h"
 #include "tests/fem/revolution/revolution_case.h"

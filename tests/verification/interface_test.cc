@@ -1,6 +1,6 @@
 #include "fem/contact/hard_interface.h"
 #include "fem/contact/rough_interface.h"
-#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/compliance_cache.h"
 #include "fem/revolution/meshed_revolution_foot.h"
 #include "tests/fem/revolution/revolution_case.h"
 #include "tests/verification/calculix_foot.h"

@@ -1,5 +1,4 @@
 #include "fem/revolution/compliance_cache.h"
-#include "fem/revolution/compute_compliance.h"
 #include "tests/fem/revolution/revolution_case.h"
 
 #include <deal.II/grid/tria.h>

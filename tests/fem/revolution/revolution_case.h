@@ -4,7 +4,7 @@
 #include "fem/contact/winkler_interface.h"
 #include "fem/geometry/meridian_mesh.h"
 #include "fem/revolution/body_of_revolution.h"
-#include "fem/revolution/compute_compliance.h"
+#include "fem/revolution/compliance_cache.h"
 #include "tests/fem/reference_load.h"
 
 #include <deal.II/grid/tria.h>
