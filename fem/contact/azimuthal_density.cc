@@ -19,15 +19,15 @@ namespace
 /// Maximum azimuth difference between lines of the same cut [rad], far larger than rounding errors.
 constexpr double azimuth_tolerance = 1e-7;
 
-std::vector<CutValue> combined(std::vector<CutValue> places, double (*combine)(double, double))
+std::vector<AzimuthValue> combined(std::vector<AzimuthValue> places, double (*combine)(double, double))
 {
-  const auto comes_before = [](const CutValue &one, const CutValue &other)
+  const auto comes_before = [](const AzimuthValue &one, const AzimuthValue &other)
   { return one.azimuth < other.azimuth; };
   // The lines of a body of revolution are already sorted.
   if (!std::is_sorted(places.begin(), places.end(), comes_before))
     std::stable_sort(places.begin(), places.end(), comes_before);
-  std::vector<CutValue> cuts;
-  for (const CutValue &place : places)
+  std::vector<AzimuthValue> cuts;
+  for (const AzimuthValue &place : places)
     if (cuts.empty() || place.azimuth - cuts.back().azimuth > azimuth_tolerance)
       cuts.push_back(place);
     else
@@ -43,14 +43,15 @@ unsigned int sector_of(double azimuth, double begin, unsigned int n_sectors)
   return std::min(index, n_sectors - 1);
 }
 
-std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::vector<double> &line_values,
-                                     double (*combine)(double, double))
+std::vector<AzimuthValue> values_of_cuts(const ContactSurface &surface,
+                                         const std::vector<double> &line_values,
+                                         double (*combine)(double, double))
 {
-  std::vector<CutValue> places;
+  std::vector<AzimuthValue> places;
   for (std::size_t i = 0; i < line_values.size(); ++i)
     places.push_back({ surface.lines[i].azimuth, line_values[i] });
   std::vector<double> packed;
-  for (const CutValue &cut : combined(std::move(places), combine))
+  for (const AzimuthValue &cut : combined(std::move(places), combine))
     packed.insert(packed.end(), { cut.azimuth, cut.value });
   packed = surface.parts.all_gather(std::move(packed));
   places.clear();
@@ -59,32 +60,28 @@ std::vector<CutValue> values_of_cuts(const ContactSurface &surface, const std::v
   return combined(std::move(places), combine);
 }
 
-std::vector<AzimuthLoad> density_of_lines(const ContactSurface &surface,
-                                          const std::vector<double> &line_forces)
+std::vector<AzimuthValue> density_of_lines(const ContactSurface &surface,
+                                           const std::vector<double> &line_forces)
 {
   if (surface.lines_are_radial)
   {
     std::vector<double> densities;
     for (std::size_t i = 0; i < line_forces.size(); ++i)
       densities.push_back(line_forces[i] / surface.lines[i].azimuth_width);
-    std::vector<AzimuthLoad> density;
-    for (const CutValue &cut :
-         values_of_cuts(surface, densities, [](double one, double other) { return one + other; }))
-      density.push_back({ cut.azimuth, cut.value });
-    return density;
+    return values_of_cuts(surface, densities, [](double one, double other) { return one + other; });
   }
   std::vector<double> densities(surface.n_sectors, 0);
   for (unsigned int i = 0; i < line_forces.size(); ++i)
     densities[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] +=
       line_forces[i] * surface.n_sectors / (2 * ring::pi);
   surface.parts.sum_in_place(densities);
-  std::vector<AzimuthLoad> density;
+  std::vector<AzimuthValue> density;
   for (unsigned int s = 0; s < surface.n_sectors; ++s)
     density.push_back({ 2 * ring::pi * (s + 0.5) / surface.n_sectors, densities[s] });
   return density;
 }
 
-std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
+std::vector<AzimuthValue> density_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &node_forces)
 {
   constexpr double two_pi = 2 * ring::pi;
   const unsigned int n_sectors = surface.n_sectors, n_nodes = surface.n_owned_nodes();
@@ -106,7 +103,7 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
     sector[2] += 1;
   }
   surface.parts.sum_in_place(sums);
-  std::vector<AzimuthLoad> density;
+  std::vector<AzimuthValue> density;
   for (unsigned int s = 0; s < n_sectors; ++s)
   {
     const double *const sector = &sums[3 * s];
@@ -116,18 +113,18 @@ std::vector<AzimuthLoad> density_of_nodes(const ContactSurface &surface, const E
   return density;
 }
 
-double largest_between(const std::vector<CutValue> &cuts)
+double largest_between(const std::vector<AzimuthValue> &cuts)
 {
-  const auto largest =
-    std::max_element(cuts.begin(), cuts.end(),
-                     [](const CutValue &one, const CutValue &other) { return one.value < other.value; });
+  const auto largest = std::max_element(cuts.begin(), cuts.end(),
+                                        [](const AzimuthValue &one, const AzimuthValue &other)
+                                        { return one.value < other.value; });
   const std::size_t n = cuts.size(), peak = static_cast<std::size_t>(largest - cuts.begin());
   for (const std::size_t reach : { 3u, 1u })
   {
     std::vector<double> azimuths, values;
     for (std::size_t i = 0; i <= 2 * reach && n > 2 * reach; ++i)
     {
-      const CutValue &cut = cuts[(peak + n - reach + i) % n];
+      const AzimuthValue &cut = cuts[(peak + n - reach + i) % n];
       azimuths.push_back(std::remainder(cut.azimuth - largest->azimuth, 2 * ring::pi));
       values.push_back(-cut.value);
     }

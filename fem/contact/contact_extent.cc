@@ -55,21 +55,21 @@ LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
 }
 
 template <typename Visitor>
-void for_each_interval(const std::vector<CutValue> &cuts, const Visitor &visit)
+void for_each_interval(const std::vector<AzimuthValue> &cuts, const Visitor &visit)
 {
   for (std::size_t i = 0; i < cuts.size(); ++i)
   {
-    const CutValue &begin = cuts[i], &end = cuts[(i + 1) % cuts.size()];
+    const AzimuthValue &begin = cuts[i], &end = cuts[(i + 1) % cuts.size()];
     visit(begin, end, end.azimuth - begin.azimuth + (i + 1 == cuts.size() ? two_pi : 0));
   }
 }
 
 /// Returns the fraction of the circumference on which the value, linear between the cuts, is positive.
-double positive_share(const std::vector<CutValue> &cuts)
+double positive_share(const std::vector<AzimuthValue> &cuts)
 {
   double unloaded = 0;
   for_each_interval(cuts,
-                    [&](const CutValue &begin, const CutValue &end, double length)
+                    [&](const AzimuthValue &begin, const AzimuthValue &end, double length)
                     {
                       const double low = std::min(begin.value, end.value),
                                    high = std::max(begin.value, end.value);
@@ -103,15 +103,15 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   // Penetration at the edge of contact, where the pressure is zero up to rounding.
   const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
 
-  std::vector<CutValue> cuts;
+  std::vector<AzimuthValue> cuts;
   if (surface.lines_are_radial)
   {
     cuts = values_of_cuts(surface, peaks, [](double one, double other) { return std::max(one, other); });
-    std::vector<CutValue> pressures = cuts;
-    for (CutValue &cut : pressures)
+    std::vector<AzimuthValue> pressures = cuts;
+    for (AzimuthValue &cut : pressures)
       cut.value = pressure(cut.value);
     extent.peak_pressure = largest_between(pressures);
-    for (CutValue &cut : cuts)
+    for (AzimuthValue &cut : cuts)
       cut.value -= edge;
   }
   double azimuth_share = 0;
@@ -151,10 +151,10 @@ ContactExtent extent_of_nodes(const ContactSurface &surface, const Eigen::Vector
   const double largest = surface.parts.max_entry(own);
   ContactExtent extent;
   extent.peak_pressure = surface.parts.max_entry(own / areas);
-  const std::vector<AzimuthLoad> density = density_of_nodes(surface, forces);
+  const std::vector<AzimuthValue> density = density_of_nodes(surface, forces);
   const auto n_loaded =
     std::count_if(density.begin(), density.end(),
-                  [&](const AzimuthLoad &sector) { return sector.density > rounding_share * largest; });
+                  [&](const AzimuthValue &sector) { return sector.value > rounding_share * largest; });
   const double azimuth_share = static_cast<double>(n_loaded) / static_cast<double>(density.size());
   if (surface.is_ring)
     extent.azimuth_share = azimuth_share;

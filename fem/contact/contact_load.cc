@@ -118,7 +118,7 @@ void require_radii(const std::vector<double> &radii)
       "The rings' radii are not allowed; give positive numbers in ascending order.");
 }
 
-bool are_equidistant(const std::vector<AzimuthLoad> &pointwise)
+bool are_equidistant(const std::vector<AzimuthValue> &pointwise)
 {
   const double step = 2 * pi / static_cast<double>(pointwise.size());
   for (std::size_t i = 1; i < pointwise.size(); ++i)
@@ -130,16 +130,16 @@ bool are_equidistant(const std::vector<AzimuthLoad> &pointwise)
 
 /// Returns the trigonometric interpolant of values at equidistant azimuths, in barycentric form (Henrici,
 /// Essentials of Numerical Analysis, 1982, section 6).
-double trigonometric_value(const std::vector<AzimuthLoad> &pointwise, double azimuth)
+double trigonometric_value(const std::vector<AzimuthValue> &pointwise, double azimuth)
 {
   double above = 0, below = 0, sign = 1;
-  for (const AzimuthLoad &at : pointwise)
+  for (const AzimuthValue &at : pointwise)
   {
     const double half = (azimuth - at.azimuth) / 2, sine = std::sin(half);
     if (sine == 0)
-      return at.density;
+      return at.value;
     const double weight = sign / (pointwise.size() % 2 == 0 ? std::tan(half) : sine);
-    above += weight * at.density;
+    above += weight * at.value;
     below += weight;
     sign = -sign;
   }
@@ -190,7 +190,7 @@ ContactLoad ContactLoad::rotated(double angle) const
 {
   ContactLoad load = *this;
   static_cast<RingStack &>(load) = RingStack::rotated(angle);
-  for (AzimuthLoad &place : load.pointwise)
+  for (AzimuthValue &place : load.pointwise)
     place.azimuth += angle;
   return load;
 }
@@ -225,20 +225,20 @@ ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_h
   return load;
 }
 
-double least_load(const std::vector<AzimuthLoad> &pointwise)
+double least_load(const std::vector<AzimuthValue> &pointwise)
 {
-  const auto less = [](const AzimuthLoad &one, const AzimuthLoad &other)
-  { return one.density < other.density; };
+  const auto less = [](const AzimuthValue &one, const AzimuthValue &other)
+  { return one.value < other.value; };
   const auto least = std::min_element(pointwise.begin(), pointwise.end(), less);
-  if (!(least->density > 0) || pointwise.size() < 3)
-    return std::max(0., least->density);
-  const AzimuthLoad &before = least == pointwise.begin() ? pointwise.back() : *(least - 1);
-  const AzimuthLoad &after = least + 1 == pointwise.end() ? pointwise.front() : *(least + 1);
+  if (!(least->value > 0) || pointwise.size() < 3)
+    return std::max(0., least->value);
+  const AzimuthValue &before = least == pointwise.begin() ? pointwise.back() : *(least - 1);
+  const AzimuthValue &after = least + 1 == pointwise.end() ? pointwise.front() : *(least + 1);
   const auto distance = [](double angle) { return angle < 0 ? angle + 2 * pi : angle; };
   const double to_before = distance(least->azimuth - before.azimuth),
                to_after = distance(after.azimuth - least->azimuth);
   if (!(to_before > 0) || !(to_after > 0))
-    return least->density;
+    return least->value;
   if (are_equidistant(pointwise))
   {
     const auto value = [&](double azimuth) { return trigonometric_value(pointwise, azimuth); };
@@ -246,13 +246,13 @@ double least_load(const std::vector<AzimuthLoad> &pointwise)
       boost::math::tools::brent_find_minima(value, least->azimuth - to_before, least->azimuth + to_after,
                                             std::numeric_limits<double>::digits / 2)
         .second;
-    return std::clamp(between, 0., least->density);
+    return std::clamp(between, 0., least->value);
   }
   // Parabola least + slope t + bend t^2 through the three values; t: azimuth relative to `least`.
-  const double fall = (before.density - least->density) / to_before,
-               rise = (after.density - least->density) / to_after;
+  const double fall = (before.value - least->value) / to_before,
+               rise = (after.value - least->value) / to_after;
   const double bend = (rise + fall) / (to_before + to_after), slope = rise - bend * to_after;
-  return bend > 0 ? std::max(0., least->density - slope * slope / (4 * bend)) : least->density;
+  return bend > 0 ? std::max(0., least->value - slope * slope / (4 * bend)) : least->value;
 }
 
 unsigned int n_line_parts(std::size_t n_rings)

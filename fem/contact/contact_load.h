@@ -33,7 +33,7 @@ struct ContactLoad : ring::RingStack
   std::optional<double> azimuth_fraction = {}; ///< ContactExtent::azimuth_share
   double peak_pressure = 0;                    ///< [Pa]
   double least = 0;                            ///< least_load() [N/rad]
-  std::vector<AzimuthLoad> pointwise; ///< lambda by azimuth, sorted, not truncated to a Fourier series
+  std::vector<AzimuthValue> pointwise; ///< lambda by azimuth, sorted, not truncated to a Fourier series
 
   /// Returns the load rotated counter-clockwise by @p angle [rad].
   ContactLoad rotated(double angle) const;
@@ -65,7 +65,7 @@ ContactLoad extract_load(const TableLaw &law, const ContactSolution &solution, u
 /// Returns the minimum [N/rad] of a load at ordered azimuths, between the neighbours of the lowest value: of
 /// the trigonometric interpolant (equidistant azimuths) or the parabola through the three values; 0 if the
 /// lowest is 0.
-double least_load(const std::vector<AzimuthLoad> &pointwise);
+double least_load(const std::vector<AzimuthValue> &pointwise);
 
 /// Returns the parts of a line in TableLaw::load() that resolve the radial moments of @p n_rings rings.
 unsigned int n_line_parts(std::size_t n_rings);

@@ -92,7 +92,7 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
     std::vector<double> values;
     for (const Moments &moments : of_lines)
       values.push_back(moments(k));
-    const std::vector<CutValue> sums_of_cuts =
+    const std::vector<AzimuthValue> sums_of_cuts =
       values_of_cuts(surface, values, [](double one, double other) { return one + other; });
     azimuths.resize(sums_of_cuts.size());
     of_cuts.resize(sums_of_cuts.size());
@@ -134,7 +134,7 @@ public:
   ContactExtent extent(const ContactSolution &solution) const override
   {
     ContactExtent extent = PressureLaw::extent(solution);
-    std::vector<CutValue> peaks;
+    std::vector<AzimuthValue> peaks;
     for (const PressureProfile &profile : profiles_of(solution))
       peaks.push_back({ profile.azimuth, profile.peak });
     if (!peaks.empty())

@@ -40,7 +40,7 @@ struct TableLoad
   /// Point forces: at quadrature points of the pressure, or at the nodes if a law has nodal forces only.
   std::vector<PointForce> points;
   /// Load per radian by azimuth: of each line, or means of sectors if the lines are not radial.
-  std::vector<AzimuthLoad> density;
+  std::vector<AzimuthValue> density;
 };
 
 /// Part of the land that is under pressure. A pressure below 1e-11 of the largest is rounding.

@@ -12,10 +12,10 @@ namespace stemware::pipeline
 namespace
 {
 
-std::vector<fem::AzimuthLoad> by_azimuth(std::vector<fem::AzimuthLoad> pointwise)
+std::vector<fem::AzimuthValue> by_azimuth(std::vector<fem::AzimuthValue> pointwise)
 {
   constexpr double turn = 2 * ring::pi;
-  for (fem::AzimuthLoad &place : pointwise)
+  for (fem::AzimuthValue &place : pointwise)
     place.azimuth -= turn * std::floor(place.azimuth / turn);
   std::sort(pointwise.begin(), pointwise.end(),
             [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });

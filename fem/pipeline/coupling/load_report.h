@@ -31,7 +31,7 @@ struct LoadReport
   /// Largest width of the contact across the rim, fem::contact_width() [m]; empty if the mesh is too coarse.
   std::optional<double> contact_width = {};
   /// Load on the contact's lines, sorted by azimuth in [0, 2 pi); empty without a contact.
-  std::vector<fem::AzimuthLoad> pointwise = {};
+  std::vector<fem::AzimuthValue> pointwise = {};
   /// Minimum of contact_fraction over the sampled phases; empty for a load independent of the phase.
   std::optional<double> least_contact_fraction = {};
 

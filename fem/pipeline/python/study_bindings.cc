@@ -350,7 +350,7 @@ the contacts of the last one. For one thread.)")
   m.def("limit_cache",
         [](std::size_t n) { cache() = std::make_shared<fem::ComplianceCache>(n, &check_signals); });
 
-  PYBIND11_NUMPY_DTYPE_EX(fem::AzimuthLoad, azimuth, "theta", density, "density");
+  PYBIND11_NUMPY_DTYPE_EX(fem::AzimuthValue, azimuth, "theta", value, "density");
   PYBIND11_NUMPY_DTYPE_EX(fem::PressurePoint, radius, "r", azimuth, "theta", pressure, "p");
   py::class_<Found>(m, "Found")
     .def(py::init(&results_of))

@@ -56,12 +56,12 @@ void add_load_lines(const LoadReport &report, Results &results)
   results.tables["load_lines"] = nullptr;
   if (!(report.contact_fraction < 1) || report.pointwise.empty())
     return;
-  std::vector<fem::AzimuthLoad> lines = report.pointwise;
-  lines.push_back({ lines.front().azimuth + 2 * ring::pi, lines.front().density });
+  std::vector<fem::AzimuthValue> lines = report.pointwise;
+  lines.push_back({ lines.front().azimuth + 2 * ring::pi, lines.front().value });
   const double mean = report.rings.a(0);
-  const auto fields = Fields<fem::AzimuthLoad>{
+  const auto fields = Fields<fem::AzimuthValue>{
     { "theta", "deg", "", [](const auto &line) { return line.azimuth / degree; }, in_picture("theta") },
-    { "load", "1", "", [=](const auto &line) { return line.density / mean; }, in_picture("load") }
+    { "load", "1", "", [=](const auto &line) { return line.value / mean; }, in_picture("load") }
   };
   results.add_table("load_lines", fields.table(lines, Face::picture), Face::picture);
 }

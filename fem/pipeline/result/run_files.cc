@@ -73,12 +73,12 @@ Table ring_table(const ring::RingStack &load)
 }
 
 /// Returns lambda(theta) at rest at the azimuths of the contact's lines, 0 on unloaded lines.
-Table pointwise_table(const std::vector<fem::AzimuthLoad> &pointwise)
+Table pointwise_table(const std::vector<fem::AzimuthValue> &pointwise)
 {
-  using Line = fem::AzimuthLoad;
+  using Line = fem::AzimuthValue;
   return Fields<Line>{
     { "theta", "rad", "", &Line::azimuth, in_file("theta", azimuth) },
-    { "load", "N/rad", "", &Line::density, in_file("lambda", "load at rest on the lines of the contact") }
+    { "load", "N/rad", "", &Line::value, in_file("lambda", "load at rest on the lines of the contact") }
   }.table(pointwise, Face::file);
 }
 

@@ -43,10 +43,10 @@ TEST(AzimuthalDensity, EqualsTheDensityAtTheAzimuthsOfRadialLines)
 {
   ContactSurface surface = lines_round_the_rim(40, 0.05);
   surface.lines_are_radial = true;
-  const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
+  const std::vector<AzimuthValue> density = density_of_lines(surface, forces_on(surface));
   ASSERT_EQ(density.size(), 40u);
-  for (const AzimuthLoad &place : density)
-    EXPECT_NEAR(place.density, density_at(place.azimuth), 1e-12) << place.azimuth;
+  for (const AzimuthValue &place : density)
+    EXPECT_NEAR(place.value, density_at(place.azimuth), 1e-12) << place.azimuth;
 }
 
 TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
@@ -55,11 +55,11 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOnLinesThatAreNotRadial)
   // times sin(h) / h.
   ContactSurface surface = lines_round_the_rim(4000, pi / 4000);
   surface.n_sectors = 10;
-  const std::vector<AzimuthLoad> density = density_of_lines(surface, forces_on(surface));
+  const std::vector<AzimuthValue> density = density_of_lines(surface, forces_on(surface));
   ASSERT_EQ(density.size(), 10u);
   const double half = pi / 10;
-  for (const AzimuthLoad &place : density)
-    EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * std::sin(half) / half, 1e-6)
+  for (const AzimuthValue &place : density)
+    EXPECT_NEAR(place.value, 1 + (density_at(place.azimuth) - 1) * std::sin(half) / half, 1e-6)
       << place.azimuth;
 }
 
@@ -78,6 +78,6 @@ TEST(AzimuthalDensity, EqualsTheSectorMeanOfNodalForces)
     forces(i) = density_at(azimuth) * 2 * pi / n_nodes;
   }
   const double mean = std::cos(pi / n_nodes); // each sector has two nodes
-  for (const AzimuthLoad &place : density_of_nodes(surface, forces))
-    EXPECT_NEAR(place.density, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
+  for (const AzimuthValue &place : density_of_nodes(surface, forces))
+    EXPECT_NEAR(place.value, 1 + (density_at(place.azimuth) - 1) * mean, 1e-12) << place.azimuth;
 }

@@ -148,7 +148,7 @@ TEST(ContactLoad, MinimumIsFoundBetweenSamplesAndIsNotNegativeUnderCompression)
   for (const unsigned int n : { 32u, 33u })
     for (const double phase : { 0., 0.1, 0.3, 0.5, 0.9 })
     {
-      std::vector<AzimuthLoad> pointwise;
+      std::vector<AzimuthValue> pointwise;
       for (unsigned int i = 0; i < n; ++i)
         pointwise.push_back({ 2 * pi * i / n, 0.5 + 0.45 * std::cos(2 * pi * (i - phase) / n) });
       EXPECT_NEAR(least_load(pointwise), 0.05, 1e-14) << n << " " << phase;

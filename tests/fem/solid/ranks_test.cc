@@ -133,7 +133,7 @@ void expect_the_same_on_all_ranks(const FootResolution &resolution, unsigned int
   ASSERT_EQ(load.pointwise.size(), alone.pointwise.size());
   double largest = 0;
   for (std::size_t i = 0; i < load.pointwise.size(); ++i)
-    largest = std::max(largest, std::abs(load.pointwise[i].density - alone.pointwise[i].density));
+    largest = std::max(largest, std::abs(load.pointwise[i].value - alone.pointwise[i].value));
   EXPECT_LT(largest, 1e-9 * a_0);
 }
 

@@ -80,8 +80,8 @@ void expect_pressures_of_random_rims(unsigned int n_studies, unsigned int seed)
     SolvedStudy solved(study);
     const LoadReport &report = solved.load.report();
     double largest = 0;
-    for (const fem::AzimuthLoad &place : report.pointwise)
-      largest = std::max(largest, place.density);
+    for (const fem::AzimuthValue &place : report.pointwise)
+      largest = std::max(largest, place.value);
     const LineContact hertz(study, largest / study.glass.profile.contact_radius);
     const ErrorBands bands =
       estimate_bands({ study, solved.foot, ThreadedExecutor(solved.cache) }, solved.row, {});
