@@ -1,15 +1,18 @@
 #include "ring_model/terminal_spin.h"
 
-#include "ring_model/bracketed_zero.h"
+#include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/require.h"
 
 #include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace stemware::ring
 {
@@ -33,6 +36,23 @@ TerminalSpin described(const TorqueFunction &torque, double yaw_inertia, double 
     return torque_slope(torque, omega, narrow);
   }();
   return { omega, slope, yaw_inertia / std::abs(slope), slope < 0. };
+}
+
+using SpinAndTorque = std::pair<double, double>;
+
+/// Returns the zero of @p torque between two spins with torques of opposite signs, to rounding. Throws
+/// NoBalance after 200 steps.
+double zero_between(const TorqueFunction &torque, const SpinAndTorque &left, const SpinAndTorque &right)
+{
+  constexpr std::uintmax_t max_steps = 200;
+  std::uintmax_t n_steps = max_steps;
+  const auto [below, above] =
+    boost::math::tools::toms748_solve(torque, left.first, right.first, left.second, right.second,
+                                      boost::math::tools::eps_tolerance<double>(52), n_steps);
+  if (n_steps >= max_steps)
+    throw NoBalance(sentence("the terminal spin between ", left.first, " and ", right.first,
+                             " did not converge in ", max_steps, " bracketing steps"));
+  return std::abs(torque(below)) <= std::abs(torque(above)) ? below : above;
 }
 } // namespace
 
@@ -115,7 +135,7 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
           "the range of spins is ", lower, " to ", upper, " rad/s in ", n_intervals,
           " intervals, but must be finite and not empty");
   const auto spin = [&](unsigned int i) { return lower + (upper - lower) * i / n_intervals; };
-  std::vector<std::pair<double, double>> samples;
+  std::vector<SpinAndTorque> samples;
   for (unsigned int i = 0; i <= n_intervals; ++i)
     samples.emplace_back(spin(i), torque(spin(i)));
 
@@ -137,12 +157,10 @@ std::vector<TerminalSpin> all_terminal_spins(const TorqueFunction &torque, doubl
   std::vector<TerminalSpin> spins;
   const auto add = [&](double omega) { spins.push_back(described(torque, yaw_inertia, omega, spin_scale)); };
   for (std::size_t i = 0; i + 1 < samples.size(); ++i)
-  {
-    const auto &[left, torque_left] = samples[i];
-    const auto &[right, torque_right] = samples[i + 1];
-    if (torque_left == 0. || torque_left * torque_right < 0.)
-      add(bracketed_zero(torque, left, right, torque_left, torque_right, "the terminal spin"));
-  }
+    if (samples[i].second == 0.)
+      add(samples[i].first);
+    else if (samples[i].second * samples[i + 1].second < 0.)
+      add(zero_between(torque, samples[i], samples[i + 1]));
   if (samples.back().second == 0.)
     add(upper);
   return spins;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "ring_model/bracketed_zero.h"
 #include "ring_model/failures.h"
 #include "ring_model/friction_functionals.h"
 #include "ring_model/load/constants.h"
@@ -9,8 +8,10 @@
 
 #include <Eigen/LU>
 #include <boost/math/quadrature/tanh_sinh.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -100,7 +101,12 @@ public:
     if (p == 1. && moment_ratio < onset)
       return -1. / moment_ratio;
     const auto zero = [](const auto &excess, double at_0, double at_1)
-    { return bracketed_zero(excess, 0., 1., at_0, at_1, "the contact edge"); };
+    {
+      std::uintmax_t n_steps = 200;
+      return boost::math::tools::toms748_solve(excess, 0., 1., at_0, at_1,
+                                               boost::math::tools::eps_tolerance<double>(52), n_steps)
+        .first;
+    };
     if (moment_ratio < onset)
       return -1. / zero([&](double kappa) { return full_contact_ratio(kappa) - moment_ratio; }, -moment_ratio,
                         onset - moment_ratio);
