@@ -17,6 +17,15 @@ std::string sentence(const Parts &...parts)
   return text.str();
 }
 
+/// Returns @p value as text with @p n_digits significant digits.
+inline std::string rounded_text(double value, int n_digits)
+{
+  std::ostringstream text;
+  text.precision(n_digits);
+  text << value + 0.; // no -0
+  return text.str();
+}
+
 /// Throws std::invalid_argument with the concatenation of @p parts unless @p condition holds.
 template <typename... Parts>
 void require(bool condition, const Parts &...parts)

@@ -5,7 +5,6 @@
 #include "ring_model/load/require.h"
 #include "ring_model/spin/curves.h"
 #include "ring_model/spin/phase_loads.h"
-#include "ring_model/spin/rounded_text.h"
 #include "ring_model/yaw_motion.h"
 
 #include <algorithm>

@@ -3,7 +3,6 @@
 #include "ring_model/failures.h"
 #include "ring_model/load/constants.h"
 #include "ring_model/load/require.h"
-#include "ring_model/spin/rounded_text.h"
 
 #include <algorithm>
 #include <cmath>
