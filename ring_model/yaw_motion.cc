@@ -64,11 +64,6 @@ double grip_torque(double torque, double omega, double grip)
   return -std::copysign(grip, omega);
 }
 
-double torque_with_grip(double torque, double omega, double grip)
-{
-  return torque + grip_torque(torque, omega, grip);
-}
-
 PhasedTorqueFunction observed(PhasedTorqueFunction torque, TimeObserver observer)
 {
   if (!observer)
@@ -108,7 +103,7 @@ std::vector<YawSample> yaw_motion_euler(const PhasedTorqueFunction &torque, doub
   {
     const auto [time, angle, omega] = samples.back();
     const double free = torque(time, angle, omega),
-                 next = omega + torque_with_grip(free, omega, grip) / yaw_inertia * time_step;
+                 next = omega + (free + grip_torque(free, omega, grip)) / yaw_inertia * time_step;
     // The grip stops a spin but does not reverse it.
     const bool stops = omega * next < 0. && std::abs(free) <= grip;
     samples.push_back({ i * time_step, angle + omega * time_step, stops ? 0. : next });

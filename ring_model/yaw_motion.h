@@ -28,9 +28,6 @@ struct YawSample
 /// [N m]; at rest it cancels @p torque up to that limit.
 double grip_torque(double torque, double omega, double grip);
 
-/// Returns @p torque plus grip_torque() at the spin @p omega [rad/s] [N m].
-double torque_with_grip(double torque, double omega, double grip);
-
 /// Integrates I_z d omega/dt = tau_z(t, psi, omega) - grip sgn(omega), d psi/dt = omega from psi = 0 at t = 0
 /// by the Dormand-Prince pair with step control and dense output (Boost.Odeint), sampled at @p times; by
 /// Radau IIA if the time constant is far below the time between outputs. A spin that reaches 0 is exactly 0

@@ -79,7 +79,10 @@ std::vector<TerminalSpin> terminal_spins(const Load &load, const Question &quest
   const auto spins_under = [&](const Load &at_spins, double lower, double upper, int n_intervals)
   {
     const auto torque = [&](double omega)
-    { return torque_with_grip(yaw_torque(at_spins, motion, omega), omega, question.grip_torque); };
+    {
+      const double free = yaw_torque(at_spins, motion, omega);
+      return free + grip_torque(free, omega, question.grip_torque);
+    };
     return all_terminal_spins(torque, motion.yaw_inertia, unit, lower, upper,
                               static_cast<unsigned int>(n_intervals));
   };
