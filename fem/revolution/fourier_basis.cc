@@ -142,36 +142,4 @@ FourierProducts::FourierProducts(const FourierBasis &basis, const Eigen::Ref<con
   odd = mirrored.odd * basis.sine_table().topRows(n_half);
 }
 
-FourierProducts::ModePairSums FourierProducts::with_conjugate(unsigned int row_mode,
-                                                              unsigned int column_mode) const
-{
-  const bool row_is_sine = FourierBasis::is_sine(row_mode);
-  ModePairSums result = pair(FourierBasis::harmonic(row_mode), !row_is_sine, column_mode);
-  if (row_is_sine)
-  {
-    result.difference_factor *= -1;
-    result.sum_factor *= -1;
-  }
-  return result;
-}
-
-FourierProducts::ModePairSums FourierProducts::pair(unsigned int row, bool row_is_sine,
-                                                    unsigned int column_mode) const
-{
-  const unsigned int column = FourierBasis::harmonic(column_mode);
-  const bool column_is_sine = FourierBasis::is_sine(column_mode);
-  const Eigen::Index difference = row > column ? row - column : column - row;
-  const bool is_even = row_is_sine == column_is_sine;
-  const Eigen::MatrixXd &table = is_even ? even : odd;
-  // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2,
-  // sin a cos b = (sin(a - b) + sin(a + b)) / 2.
-  const bool sine_is_larger = row_is_sine ? row > column : column > row;
-  ModePairSums result;
-  result.differences = table.col(difference).data();
-  result.sums = table.col(row + column).data();
-  result.difference_factor = is_even || sine_is_larger ? 0.5 : -0.5;
-  result.sum_factor = is_even && row_is_sine ? -0.5 : 0.5;
-  return result;
-}
-
 } // namespace stemware::fem

@@ -67,33 +67,24 @@ public:
   /// @p samples: one function a row, shape [n_functions, n_lines].
   FourierProducts(const FourierBasis &basis, const Eigen::Ref<const Eigen::MatrixXd> &samples);
 
-  /// Sums for one pair of modes, by function. Valid as long as the FourierProducts.
-  class ModePairSums
+  /// Returns the sums for a pair of modes, by function, as an expression that is valid as long as the
+  /// FourierProducts. @p conjugate: the row's mode is replaced by its conjugate.
+  auto operator()(unsigned int row_mode, unsigned int column_mode, bool conjugate) const
   {
-  public:
-    double operator()(Eigen::Index f) const
-    {
-      return difference_factor * differences[f] + sum_factor * sums[f];
-    }
-
-  private:
-    friend class FourierProducts;
-    const double *differences; ///< values by function, at the difference of the harmonics
-    const double *sums;        ///< values by function, at the sum of the harmonics
-    double difference_factor;
-    double sum_factor;
-  };
-
-  ModePairSums operator()(unsigned int row_mode, unsigned int column_mode) const
-  {
-    return pair(FourierBasis::harmonic(row_mode), FourierBasis::is_sine(row_mode), column_mode);
+    const unsigned int row = FourierBasis::harmonic(row_mode), column = FourierBasis::harmonic(column_mode);
+    const bool row_is_sine = FourierBasis::is_sine(row_mode) != conjugate;
+    const bool is_even = row_is_sine == FourierBasis::is_sine(column_mode);
+    const bool sine_is_larger = row_is_sine ? row > column : column > row;
+    // cos a cos b = (cos(a - b) + cos(a + b)) / 2, sin a sin b = (cos(a - b) - cos(a + b)) / 2,
+    // sin a cos b = (sin(a - b) + sin(a + b)) / 2; the conjugate of a sine is minus the cosine.
+    const double half = conjugate && !row_is_sine ? -0.5 : 0.5;
+    const Eigen::MatrixXd &table = is_even ? even : odd;
+    return (is_even || sine_is_larger ? half : -half) *
+             table.col(row > column ? row - column : column - row) +
+           (is_even && row_is_sine ? -half : half) * table.col(row + column);
   }
-  /// Returns the sums for a pair of modes with the row's mode replaced by its conjugate.
-  ModePairSums with_conjugate(unsigned int row_mode, unsigned int column_mode) const;
 
 private:
-  ModePairSums pair(unsigned int row, bool row_is_sine, unsigned int column_mode) const;
-
   Eigen::MatrixXd even; ///< sums with cos(p theta), shape [n_functions, 2 n_harmonics + 1]
   Eigen::MatrixXd odd;  ///< sums with sin(p theta)
 };

@@ -317,14 +317,8 @@ private:
       {
         const auto row_mode = static_cast<unsigned int>(row);
         for (Eigen::Index column = 0; column < n_modes; ++column)
-        {
-          const FourierProducts::ModePairSums pair =
-            conjugate ? products.with_conjugate(row_mode, static_cast<unsigned int>(column))
-                      : products(row_mode, static_cast<unsigned int>(column));
-          double *block = sums.data() + column * p * p;
-          for (Eigen::Index k = 0; k < p * p; ++k)
-            block[k] = pair(k);
-        }
+          Eigen::Map<Eigen::VectorXd>(sums.data() + column * p * p, p * p) =
+            products(row_mode, static_cast<unsigned int>(column), conjugate);
         sums.rightCols<4>() = projected.col(row).reshaped(p, 4);
         const HarmonicCompliance &harmonic = smooth.reduced[FourierBasis::harmonic(row_mode)];
         const Eigen::MatrixXd weight = (kind == 0   ? harmonic.normal
