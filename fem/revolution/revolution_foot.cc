@@ -30,6 +30,18 @@ RevolutionFoot::Zone::Zone(const RevolutionFoot &foot, ContactCompliance complia
 {
 }
 
+std::pair<Eigen::Index, Eigen::Index> RevolutionFoot::Zone::loaded_circles() const
+{
+  const Eigen::VectorXd forces = body.forces().cwiseAbs().rowwise().maxCoeff();
+  const double threshold = 1e-9 * forces.maxCoeff();
+  Eigen::Index first = 0, last = forces.size() - 1;
+  while (first < last && forces(first) <= threshold)
+    ++first;
+  while (first < last && forces(last) <= threshold)
+    --last;
+  return { first, last };
+}
+
 RevolutionFoot::RevolutionFoot(const RevolutionSetup &setup,
                                std::shared_ptr<const ContactCompliance> compliance)
     : setup(setup)
@@ -87,15 +99,6 @@ RevolutionFoot::Zone &RevolutionFoot::zone_of(const ContactState &state) const
     zone.body.set_sliding(sliding_at(state.slip));
   zone.body.set_forces(state.solution.forces);
   return zone;
-}
-
-bool RevolutionFoot::has_left(const Zone &zone) const
-{
-  const Eigen::MatrixXd &forces = zone.body.forces();
-  const double threshold = 1e-9 * forces.cwiseAbs().maxCoeff();
-  const auto carries = [&](Eigen::Index row) { return forces.row(row).cwiseAbs().maxCoeff() > threshold; };
-  const ContactCompliance &part = zone.body.contact_compliance();
-  return (part.n_inside > 0 && carries(0)) || (part.n_outside > 0 && carries(forces.rows() - 1));
 }
 
 BodyOfRevolution::Gap RevolutionFoot::gap_at(const ring::Orientation &marks) const
@@ -208,25 +211,20 @@ ContactState RevolutionFoot::solve(const ContactDemand &demand, const ring::Slip
   state.slip = slip;
   state.zone = guess.previous ? guess.previous->zone : 0;
   press(guess, state);
-  if (has_left(*zones[state.zone]))
+  auto circles = zones[state.zone]->loaded_circles();
+  if (const ContactCompliance &part = zones[state.zone]->body.contact_compliance();
+      (part.n_inside > 0 && circles.first == 0) ||
+      (part.n_outside > 0 && circles.second == part.radii.size() - 1))
   {
     state.zone = 1;
     press({}, state);
+    circles = zones[state.zone]->loaded_circles();
   }
   state.solution.motion = motion_in_axes(state.solution.motion, -axis(slip.orientation));
   state.load = project_onto_rings(state, demand.ring_radii, demand.n_harmonics);
-
-  const BodyOfRevolution &body = zones[state.zone]->body;
-  const Eigen::VectorXd &radii = body.contact_compliance().radii;
-  const Eigen::VectorXd on_circles = body.forces().cwiseAbs().rowwise().maxCoeff();
-  const double threshold = 1e-9 * on_circles.maxCoeff();
-  state.inner_radius = radii.tail<1>()(0);
-  for (Eigen::Index i = 0; i < on_circles.size(); ++i)
-    if (on_circles(i) > threshold)
-    {
-      state.inner_radius = std::min(state.inner_radius, radii(i));
-      state.outer_radius = radii(i);
-    }
+  const Eigen::VectorXd &radii = zones[state.zone]->body.contact_compliance().radii;
+  state.inner_radius = radii(circles.first);
+  state.outer_radius = radii(circles.second);
   return state;
 }
 

@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace stemware::fem
@@ -54,6 +55,9 @@ protected:
   {
     Zone(const RevolutionFoot &foot, ContactCompliance compliance);
 
+    /// Returns the first and the last circle with forces above rounding.
+    std::pair<Eigen::Index, Eigen::Index> loaded_circles() const;
+
     BodyOfRevolution body;
     const std::shared_ptr<TableLaw> law; ///< has no state; copies share it
     ring::Orientation marks;             ///< orientation for which the gaps are set
@@ -75,8 +79,6 @@ private:
   virtual std::shared_ptr<const ContactCompliance> whole_land_compliance() const;
   /// Returns the zone with its gaps at @p marks; the body's state is undefined.
   Zone &zone_at(unsigned int zone, const ring::Orientation &marks) const;
-  /// Returns whether the contact on @p zone has reached a border of the zone inside the land.
-  bool has_left(const Zone &zone) const;
   /// Solves the contact of @p state on its zone, in the axes of the lines.
   void press(const ContactGuess &guess, ContactState &state) const;
   /// Returns @p guess in the axes of the lines, with the marks at @p marks. The previous penetration is used
