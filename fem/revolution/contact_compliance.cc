@@ -39,17 +39,12 @@ Eigen::VectorXd ContactCompliance::shape_at(double radius) const
 
 ContactCompliance ContactCompliance::part(Eigen::Index first, Eigen::Index size) const
 {
-  const auto part_of = [&](const HarmonicCompliance &harmonic) -> HarmonicCompliance
-  {
-    return { harmonic.normal.block(first, first, size, size), harmonic.radial.block(first, first, size, size),
-             harmonic.azimuthal.block(first, first, size, size) };
-  };
   ContactCompliance result;
   result.radii = radii.segment(first, size);
   result.degree = degree;
   for (const HarmonicCompliance &harmonic : harmonics)
-    result.harmonics.push_back(part_of(harmonic));
-  result.tail = part_of(tail);
+    result.harmonics.push_back(harmonic.part(first, size));
+  result.tail = tail.part(first, size);
   result.n_meridian_unknowns = n_meridian_unknowns;
   result.n_inside = n_inside + first;
   result.n_outside = n_outside + radii.size() - first - size;

@@ -32,6 +32,13 @@ struct HarmonicCompliance
     azimuthal += other.azimuthal;
     return *this;
   }
+
+  /// Returns the compliance for forces on nodes @p first ... @p first + @p size - 1 only.
+  HarmonicCompliance part(Eigen::Index first, Eigen::Index size) const
+  {
+    const auto block = [&](const auto &matrix) { return matrix.block(first, first, size, size); };
+    return { block(normal), block(radial), block(azimuthal) };
+  }
 };
 
 /// Response of the contact circles of a body of revolution to forces on them, harmonic by harmonic.

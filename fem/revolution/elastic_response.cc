@@ -29,10 +29,14 @@ struct CircleRange
 
 ElasticResponse::ElasticResponse(ContactCompliance compliance, unsigned int n_lines)
     : circles(std::move(compliance))
+    , differences(circles.harmonics)
     , modes(circles.n_harmonics(), n_lines)
 {
-  for (unsigned int n = 0; n <= circles.n_harmonics(); ++n)
-    differences.push_back(difference(n, 0, n_radii()));
+  for (HarmonicCompliance &harmonic : differences)
+  {
+    harmonic.normal -= circles.tail.normal;
+    harmonic.radial -= circles.tail.radial;
+  }
 }
 
 void ElasticResponse::set_sliding(const std::optional<SlidingTraction> &traction)
@@ -55,14 +59,16 @@ void ElasticResponse::set_sliding(const std::optional<SlidingTraction> &traction
     }
 }
 
-ForceModes ElasticResponse::force_modes(const Eigen::MatrixXd &forces) const
+ForceModes ElasticResponse::force_modes(const Eigen::MatrixXd &forces, Eigen::Index first) const
 {
+  const auto times = [&](const Eigen::MatrixXd &traction) -> Eigen::MatrixXd
+  { return forces.cwiseProduct(traction.middleRows(first, forces.rows())); };
   ForceModes result;
   result.normal = modes.project(forces);
   if (has_sliding())
   {
-    result.radial = modes.project(forces.cwiseProduct(slide_radial));
-    result.azimuthal = modes.project_on_conjugates(forces.cwiseProduct(slide_azimuthal));
+    result.radial = modes.project(times(slide_radial));
+    result.azimuthal = modes.project_on_conjugates(times(slide_azimuthal));
   }
   return result;
 }
@@ -77,25 +83,19 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
 
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_radii(), n_lines());
   add_product(columns(circles.tail.normal), per_line * normal, result);
-  Eigen::MatrixXd radial_modes, azimuthal_modes;
   if (has_sliding())
-  {
-    const Eigen::MatrixXd radial = normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size));
-    add_product(columns(circles.tail.radial), per_line * radial, result);
-    radial_modes = modes.project(radial);
-    azimuthal_modes =
-      modes.project_on_conjugates(normal.cwiseProduct(slide_azimuthal.middleRows(loaded.first, loaded.size)));
-  }
-  const Eigen::MatrixXd normal_modes = modes.project(normal);
+    add_product(columns(circles.tail.radial),
+                per_line * normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size)), result);
+  const ForceModes of_forces = force_modes(normal, loaded.first);
   Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(n_radii(), modes.n_modes());
   for (unsigned int mode = 0; mode < modes.n_modes(); ++mode)
   {
     const HarmonicCompliance &harmonic = differences[FourierBasis::harmonic(mode)];
-    add_product(columns(harmonic.normal), normal_modes.col(mode), amplitudes.col(mode));
+    add_product(columns(harmonic.normal), of_forces.normal.col(mode), amplitudes.col(mode));
     if (has_sliding())
     {
-      add_product(columns(harmonic.radial), radial_modes.col(mode), amplitudes.col(mode));
-      add_product(columns(harmonic.azimuthal), azimuthal_modes.col(mode), amplitudes.col(mode));
+      add_product(columns(harmonic.radial), of_forces.radial.col(mode), amplitudes.col(mode));
+      add_product(columns(harmonic.azimuthal), of_forces.azimuthal.col(mode), amplitudes.col(mode));
     }
     amplitudes.col(mode) /= FourierBasis::norm(mode);
   }
@@ -110,15 +110,6 @@ HarmonicCompliance ElasticResponse::local(Eigen::Index first, Eigen::Index size)
   if (has_sliding())
     result.radial = per_line * circles.tail.radial.block(first, first, size, size);
   return result;
-}
-
-HarmonicCompliance ElasticResponse::difference(unsigned int harmonic, Eigen::Index first,
-                                               Eigen::Index size) const
-{
-  const auto part = [&](const Eigen::MatrixXd &matrix) { return matrix.block(first, first, size, size); };
-  const HarmonicCompliance &compliance = circles.harmonics[harmonic];
-  return { part(compliance.normal) - part(circles.tail.normal),
-           part(compliance.radial) - part(circles.tail.radial), part(compliance.azimuthal) };
 }
 
 } // namespace stemware::fem

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -52,19 +53,22 @@ public:
   /// Returns u_z under the normal @p forces [N] and their friction [m].
   Eigen::MatrixXd displacement(const Eigen::MatrixXd &forces) const;
 
-  /// Returns the harmonics of the forces up to n_max.
-  ForceModes force_modes(const Eigen::MatrixXd &forces) const;
+  /// Returns the harmonics up to n_max of the forces on the circles from @p first on.
+  ForceModes force_modes(const Eigen::MatrixXd &forces, Eigen::Index first = 0) const;
 
   /// Returns D on the circles @p first ... @p first + @p size - 1 [m/N]: `normal`, and `radial`, a factor of
   /// the radial traction, empty without friction; `azimuthal` is zero.
   HarmonicCompliance local(Eigen::Index first, Eigen::Index size) const;
 
   /// Returns C_n - C_tail on a range of circles; the azimuthal part is C_n itself.
-  HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const;
+  HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const
+  {
+    return differences[harmonic].part(first, size);
+  }
 
 private:
   ContactCompliance circles;
-  std::vector<HarmonicCompliance> differences; ///< difference() of each harmonic, on all circles
+  std::vector<HarmonicCompliance> differences; ///< C_n - C_tail; the azimuthal part is C_n itself
   FourierBasis modes;
   Eigen::MatrixXd slide_radial; ///< shape [n_radii, n_lines]
   Eigen::MatrixXd slide_azimuthal;
