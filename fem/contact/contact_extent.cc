@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <utility>
 
 namespace stemware::fem
 {
@@ -31,60 +30,37 @@ double peak_of(const Eigen::Vector3d &samples)
   return peak;
 }
 
-struct LineAreas
-{
-  double total = 0, unloaded = 0;
-};
-
 /// Returns the area of @p line and the part of the area in which the quadratic through @p excess is not
 /// positive. If both ends are loaded, the unloaded area is 0, because the mesh does not resolve gaps inside a
 /// line (e.g. next to the singular edge of a hard land).
-LineAreas areas_of(const ContactLine &line, const Eigen::Vector3d &excess)
+Eigen::Vector2d total_and_unloaded_area(const ContactLine &line, const Eigen::Vector3d &excess)
 {
   const AreaElement element(line);
-  LineAreas areas;
+  Eigen::Vector2d areas = Eigen::Vector2d::Zero();
   const auto integrate = [&](const LineSegment &segment, double &sum)
   { for_each_point<2>(element, segment, [&](const LinePoint &point) { sum += point.area; }); };
-  integrate({ -1, 1 }, areas.total);
+  integrate({ -1, 1 }, areas(0));
   if (excess(0) > 0 && excess(2) > 0)
     return areas;
   const PositiveSegments not_loaded(-excess);
   for (unsigned int s = 0; s < not_loaded.n_segments; ++s)
-    integrate(not_loaded.segments[s], areas.unloaded);
+    integrate(not_loaded.segments[s], areas(1));
   return areas;
-}
-
-template <typename Visitor>
-void for_each_interval(const std::vector<AzimuthValue> &cuts, const Visitor &visit)
-{
-  for (std::size_t i = 0; i < cuts.size(); ++i)
-  {
-    const AzimuthValue &begin = cuts[i], &end = cuts[(i + 1) % cuts.size()];
-    visit(begin, end, end.azimuth - begin.azimuth + (i + 1 == cuts.size() ? two_pi : 0));
-  }
 }
 
 /// Returns the fraction of the circumference on which the value, linear between the cuts, is positive.
 double positive_share(const std::vector<AzimuthValue> &cuts)
 {
   double unloaded = 0;
-  for_each_interval(cuts,
-                    [&](const AzimuthValue &begin, const AzimuthValue &end, double length)
-                    {
-                      const double low = std::min(begin.value, end.value),
-                                   high = std::max(begin.value, end.value);
-                      if (low <= 0)
-                        unloaded += high > 0 ? length * low / (low - high) : length;
-                    });
+  for (std::size_t i = 0; i < cuts.size(); ++i)
+  {
+    const AzimuthValue &begin = cuts[i], &end = cuts[(i + 1) % cuts.size()];
+    const double length = end.azimuth - begin.azimuth + (i + 1 == cuts.size() ? two_pi : 0);
+    const double low = std::min(begin.value, end.value), high = std::max(begin.value, end.value);
+    if (low <= 0)
+      unloaded += high > 0 ? length * low / (low - high) : length;
+  }
   return 1 - std::min(1., unloaded / two_pi);
-}
-
-/// Returns the fraction of loaded sectors. @p is_loaded covers only this rank's part of the surface.
-double share_of_sectors(const SurfaceParts &parts, std::vector<double> is_loaded)
-{
-  parts.sum_in_place(is_loaded);
-  const auto n_loaded = std::count_if(is_loaded.begin(), is_loaded.end(), [](double n) { return n > 0; });
-  return static_cast<double>(n_loaded) / static_cast<double>(is_loaded.size());
 }
 
 } // namespace
@@ -123,7 +99,9 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
     for (std::size_t i = 0; i < peaks.size(); ++i)
       if (peaks[i] > edge)
         is_loaded[sector_of(surface.lines[i].azimuth, 0, surface.n_sectors)] = 1;
-    azimuth_share = share_of_sectors(surface.parts, std::move(is_loaded));
+    surface.parts.sum_in_place(is_loaded);
+    const auto n_unloaded = std::count(is_loaded.begin(), is_loaded.end(), 0.);
+    azimuth_share = static_cast<double>(surface.n_sectors - n_unloaded) / surface.n_sectors;
   }
   if (surface.is_ring)
     extent.azimuth_share = azimuth_share;
@@ -134,10 +112,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   }
   Eigen::Vector2d areas = Eigen::Vector2d::Zero(); // total area, unloaded area [m^2]
   for (std::size_t i = 0; i < depths.size(); ++i)
-  {
-    const LineAreas of_line = areas_of(surface.lines[i], depths[i].array() - edge);
-    areas += Eigen::Vector2d(of_line.total, of_line.unloaded);
-  }
+    areas += total_and_unloaded_area(surface.lines[i], depths[i].array() - edge);
   areas = surface.parts.sum(areas);
   extent.area_share = 1 - std::min(1., areas(1) / areas(0));
   return extent;
