@@ -39,8 +39,9 @@ void LinePattern::set_zero(Eigen::SparseMatrix<double> &tangent) const
 }
 
 template <typename Forces, typename Tangent>
-void LinePattern::add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
-                               Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const
+void LinePattern::add_at_nodes(std::size_t line, std::size_t image, const Forces &line_forces,
+                               const Tangent &line_tangent, Eigen::VectorXd &forces,
+                               Eigen::SparseMatrix<double> &tangent) const
 {
   const std::vector<unsigned int> &nodes = surface.lines[line].nodes;
   const Eigen::Index n_nodes = line_forces.size();
@@ -51,6 +52,8 @@ void LinePattern::add_at_nodes(std::size_t line, const Forces &line_forces, cons
     for (Eigen::Index j = 0; j < n_nodes; ++j, ++place)
       tangent.valuePtr()[*place] += line_tangent(i, j);
   }
+  if (image != line)
+    add_at_nodes(image, image, line_forces, line_tangent, forces, tangent);
 }
 
 void LinePattern::add(std::size_t line, std::size_t image, const Eigen::Vector3d &sample_forces,
@@ -59,20 +62,13 @@ void LinePattern::add(std::size_t line, std::size_t image, const Eigen::Vector3d
 {
   const ContactLine &contact_line = surface.lines[line];
   if (contact_line.samples_are_nodes)
-  {
-    add_at_nodes(line, sample_forces, sample_tangent, forces, tangent);
-    if (image != line)
-      add_at_nodes(image, sample_forces, sample_tangent, forces, tangent);
-    return;
-  }
+    return add_at_nodes(line, image, sample_forces, sample_tangent, forces, tangent);
   constexpr int max_nodes = 25; // maximum number of nodes of a face; a fixed maximum avoids heap allocations
   const Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_nodes, 1> node_forces =
     contact_line.shape.transpose() * sample_forces;
   const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_nodes, max_nodes> node_tangent =
     contact_line.shape.transpose() * (sample_tangent * contact_line.shape);
-  add_at_nodes(line, node_forces, node_tangent, forces, tangent);
-  if (image != line)
-    add_at_nodes(image, node_forces, node_tangent, forces, tangent);
+  add_at_nodes(line, image, node_forces, node_tangent, forces, tangent);
 }
 
 } // namespace stemware::fem

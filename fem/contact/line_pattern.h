@@ -26,10 +26,11 @@ public:
            Eigen::SparseMatrix<double> &tangent) const;
 
 private:
-  /// Adds the forces and the tangent of a line's nodes to the surface's.
+  /// Adds the forces and the tangent of the nodes of a line, and of its mirror image, to the surface's.
   template <typename Forces, typename Tangent>
-  void add_at_nodes(std::size_t line, const Forces &line_forces, const Tangent &line_tangent,
-                    Eigen::VectorXd &forces, Eigen::SparseMatrix<double> &tangent) const;
+  void add_at_nodes(std::size_t line, std::size_t image, const Forces &line_forces,
+                    const Tangent &line_tangent, Eigen::VectorXd &forces,
+                    Eigen::SparseMatrix<double> &tangent) const;
 
   const ContactSurface &surface;
   Eigen::SparseMatrix<double> empty;
