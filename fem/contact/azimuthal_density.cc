@@ -53,7 +53,7 @@ std::vector<AzimuthValue> values_of_cuts(const ContactSurface &surface,
   std::vector<double> packed;
   for (const AzimuthValue &cut : combined(std::move(places), combine))
     packed.insert(packed.end(), { cut.azimuth, cut.value });
-  packed = surface.parts.all_gather(std::move(packed));
+  packed = surface.parts.all_gather(packed);
   places.clear();
   for (std::size_t i = 0; i < packed.size(); i += 2)
     places.push_back({ packed[i], packed[i + 1] });

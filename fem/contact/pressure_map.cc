@@ -235,7 +235,7 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
     const LoadedLine::Packed numbers = LoadedLine::pack(line, normal_displacement);
     packed.insert(packed.end(), numbers.begin(), numbers.end());
   }
-  packed = surface.parts.gather(std::move(packed));
+  packed = surface.parts.gather(packed);
   PressureMap pressure_map;
   if (packed.empty())
     return pressure_map;
@@ -271,7 +271,7 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     packed.insert(packed.end(),
                   { surface.node_position.row(i).norm(),
                     std::atan2(surface.node_position(i, 1), surface.node_position(i, 0)), pressure(i) });
-  packed = surface.parts.gather(std::move(packed));
+  packed = surface.parts.gather(packed);
   std::vector<PressurePoint> nodes;
   double largest = 0;
   for (std::size_t i = 0; i < packed.size(); i += 3)

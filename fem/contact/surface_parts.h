@@ -61,19 +61,16 @@ public:
     return max(part.size() > 0 ? double(part.maxCoeff()) : -std::numeric_limits<double>::infinity());
   }
 
-  std::vector<double> gather(std::vector<double> values) const { return collected(std::move(values), false); }
-  std::vector<double> all_gather(std::vector<double> values) const
+  std::vector<double> gather(const std::vector<double> &values) const
   {
-    return collected(std::move(values), true);
+    return exchange ? exchange->gather(values, false) : values;
+  }
+  std::vector<double> all_gather(const std::vector<double> &values) const
+  {
+    return exchange ? exchange->gather(values, true) : values;
   }
 
 private:
-  std::vector<double> collected(std::vector<double> values, bool everywhere) const
-  {
-    if (exchange)
-      return exchange->gather(values, everywhere);
-    return values;
-  }
   void add_up(double *values, std::size_t n) const
   {
     if (exchange)

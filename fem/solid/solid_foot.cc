@@ -308,7 +308,7 @@ std::vector<PointForce> SolidFoot::point_forces(const ContactState &state) const
   std::vector<double> packed;
   for (const PointForce &point : law->load(state.solution, 1).points)
     packed.insert(packed.end(), { point.x, point.y, point.force });
-  packed = body->contact_surface().parts.gather(std::move(packed));
+  packed = body->contact_surface().parts.gather(packed);
   std::vector<PointForce> points;
   for (std::size_t i = 0; i < packed.size(); i += 3)
     points.push_back({ packed[i], packed[i + 1], packed[i + 2] });
