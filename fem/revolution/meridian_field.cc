@@ -65,15 +65,9 @@ MeridianField::MeridianField(const MeridianSpace &space, const ElasticMaterial &
   };
   const auto solve_harmonic = [&](unsigned int n)
   {
-    std::vector<unsigned int> family;
     for (unsigned int mode = n == 0 ? 0 : 2 * n - 1; mode <= 2 * n; ++mode)
       if (is_loaded(mode))
-        family.push_back(mode);
-    if (family.empty())
-      return;
-    const MeridianSpace::Factors &factors = space.factors(n);
-    for (const unsigned int mode : family)
-      solve(mode, factors);
+        solve(mode, space.factors(n));
   };
   parallel_for((n_modes() + 1) / 2, solve_harmonic);
 }
