@@ -41,17 +41,11 @@ bool StribeckLaw::is_constant() const
 
 namespace
 {
-/// Slip speed along the ring as a function of the azimuth psi from the point of minimum slip.
+/// Speeds of the rim's points, |omega| R, and of the ring's centre, v [m/s].
 struct SlipField
 {
-  double rim;   ///< |omega| R [m/s]
-  double speed; ///< v [m/s]
-
-  /// Returns |v_rel| = sqrt((v - |omega| R)^2 + 4 v |omega| R sin^2(psi/2)), without cancellation.
-  double magnitude(double sine_of_half) const
-  {
-    return std::hypot(speed - rim, 2. * std::sqrt(speed * rim) * sine_of_half);
-  }
+  double rim;
+  double speed;
 };
 
 /// Quadrature points psi on half the rim, measured from the point of minimum slip, and their weights.
@@ -119,7 +113,9 @@ Eigen::ArrayX3d law_kernels(const FrictionLaw &law, const SlipField &slip, const
   Eigen::ArrayXd per_slip(places.psi.size());
   for (Eigen::Index i = 0; i < places.psi.size(); ++i)
   {
-    const double magnitude = slip.magnitude(sine_of_half(i));
+    // |v_rel| = sqrt((v - |omega| R)^2 + 4 v |omega| R sin^2(psi/2)), without cancellation.
+    const double magnitude =
+      std::hypot(slip.speed - slip.rim, 2. * std::sqrt(slip.speed * slip.rim) * sine_of_half(i));
     per_slip(i) = magnitude > 0. ? 2. * places.weight(i) * law.coefficient(magnitude) / magnitude : 0.;
   }
   const Eigen::ArrayXd torque = per_slip * ((slip.speed - slip.rim) - 2. * slip.speed * half_sine);

@@ -247,7 +247,8 @@ private:
     Eigen::VectorXd mismatch = Eigen::VectorXd::Zero(normal_displacement.size());
     if (n_steps == 0)
       mismatch = normal_displacement - body.contact_displacement() - modes * motion;
-    const NewtonIncrement increment = solve(mismatch);
+    const NewtonIncrement increment =
+      body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
     const Eigen::VectorXd direction = increment.displacement + modes * increment.motion - mismatch;
     const bool is_whole = control.full_steps || start_is_apart(mismatch);
     const double step_length = conditions.are_resultants() && !is_whole
@@ -301,11 +302,6 @@ private:
   {
     return parts.max(mismatch.lpNorm<Eigen::Infinity>()) >
            1e-12 * parts.max(normal_displacement.lpNorm<Eigen::Infinity>());
-  }
-
-  NewtonIncrement solve(const Eigen::VectorXd &mismatch)
-  {
-    return body.solve(contact.tangent, contact.forces + contact.tangent * mismatch, conditions, motion);
   }
 
   /// Returns the step length from line_search_step(). A length above 1 is allowed only if the stopping rule

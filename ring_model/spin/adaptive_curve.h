@@ -43,8 +43,7 @@ public:
   Eigen::VectorXd operator()(double x) const;
 
   std::size_t n_pieces() const;
-  /// Returns the beginning (upper(): the end) of the sampled interval.
-  double lower() const { return begin; }
+  /// Returns the end of the sampled interval.
   double upper() const { return end; }
   bool covers(double x) const { return begin <= x && x <= end; }
   /// Returns the number of samples without cached values.
