@@ -100,10 +100,24 @@ FrictionKernels::FrictionKernels(double rim_speed, double speed, unsigned int n_
   const double slow = fast_spin ? speed : rim, fast = fast_spin ? rim : speed;
   const double ratio = slow / fast;
   evaluate_slow_spin(ratio, (fast - slow) / fast * (1. + ratio), fast_spin);
-  if (fast_spin)
-    apply_duality(ratio);
-  if (rim_speed < 0.)
-    apply_parity();
+  if (fast_spin) // duality: torque and drag of eps are minus drag and torque of 1 / eps
+  {
+    values[0] /= ratio;
+    for (unsigned int n = 0; n <= highest; ++n)
+    {
+      const double torque = -values[3 * n + 2];
+      values[3 * n + 2] = -values[3 * n + 1];
+      values[3 * n + 1] = torque;
+    }
+  }
+  for (unsigned int n = 0; n <= highest && rim_speed < 0.; ++n) // parity in eps
+    if (n % 2 == 0)
+      values[3 * n + 1] = -values[3 * n + 1];
+    else
+    {
+      values[3 * n] = -values[3 * n];
+      values[3 * n + 2] = -values[3 * n + 2];
+    }
 }
 
 void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool divided)
@@ -126,28 +140,5 @@ void FrictionKernels::evaluate_slow_spin(double eps, double complement, bool div
   values[0] = (1. + eps_squared) * first.g + complement * first.q;
   values[1] = -eps * first.g;
   values[2] = first.g + complement * first.q;
-}
-
-void FrictionKernels::apply_duality(double inverse)
-{
-  values[0] /= inverse;
-  for (unsigned int n = 0; n <= highest; ++n)
-  {
-    const double torque = -values[3 * n + 2];
-    values[3 * n + 2] = -values[3 * n + 1];
-    values[3 * n + 1] = torque;
-  }
-}
-
-void FrictionKernels::apply_parity()
-{
-  for (unsigned int n = 0; n <= highest; ++n)
-    if (n % 2 == 0)
-      values[3 * n + 1] = -values[3 * n + 1];
-    else
-    {
-      values[3 * n] = -values[3 * n];
-      values[3 * n + 2] = -values[3 * n + 2];
-    }
 }
 } // namespace stemware::ring

@@ -38,14 +38,8 @@ public:
 
 private:
   /// Fills `values` for 0 <= eps <= 1. @p complement: 1 - eps^2 without cancellation. @p divided: with P_n /
-  /// eps, finite at eps = 0, instead of P_n for n >= 1, for apply_duality().
+  /// eps, finite at eps = 0, instead of P_n for n >= 1.
   void evaluate_slow_spin(double eps, double complement, bool divided);
-
-  /// Converts the kernels (divided) of 1/eps to the kernels of eps = 1 / @p inverse > 1.
-  void apply_duality(double inverse);
-
-  /// Converts the kernels of |eps| to the kernels of -|eps|.
-  void apply_parity();
 
   unsigned int highest;
   boost::container::small_vector<double, 3 * 34> values; ///< P_n, K_n, U_n for n = 0...n_max
