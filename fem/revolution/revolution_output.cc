@@ -288,14 +288,10 @@ private:
         node.is_contact ? pressure.on_circle(node.at[0], basis) : Eigen::VectorXd::Zero(basis.n_lines());
       for (unsigned int line = 0; line < basis.n_lines(); ++line)
       {
-        const PointFields fields =
-          in_slip_frame(node.at, basis.azimuth(line) + axis, in_phase.col(line), conjugate.col(line));
-        Eigen::Matrix<double, n_values, 1> values;
-        values << fields.displacement, fields.rigid_motion, fields.stress.reshaped(),
-          strain_of(fields.stress, field.material()).reshaped(), von_mises(fields.stress), on_circle(line),
-          fields.point;
         Eigen::Map<Eigen::Matrix<float, n_values, 1>>(points[n * basis.n_lines() + line].data()) =
-          values.cast<float>();
+          values_in_slip_frame(node.at, basis.azimuth(line) + axis, in_phase.col(line), conjugate.col(line),
+                               on_circle(line))
+            .cast<float>();
       }
     }
     return points;
@@ -331,25 +327,21 @@ private:
     return patches;
   }
 
-  struct PointFields
-  {
-    Eigen::Vector3d point, displacement, rigid_motion;
-    Eigen::Matrix3d stress;
-  };
-
-  /// Returns the fields at a point, transformed from cylindrical components into the slip frame.
-  PointFields in_slip_frame(const Point<2> &at, double azimuth, const Eigen::Matrix<double, 6, 1> &in_phase,
-                            const Eigen::Vector3d &conjugate) const
+  /// Returns the values of a point, transformed from cylindrical components into the slip frame.
+  Eigen::Matrix<double, n_values, 1> values_in_slip_frame(const Point<2> &at, double azimuth,
+                                                          const Eigen::Matrix<double, 6, 1> &in_phase,
+                                                          const Eigen::Vector3d &conjugate,
+                                                          double contact_pressure) const
   {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); // columns e_r, e_theta, e_z
     axes.topLeftCorner<2, 2>() = Eigen::Rotation2Dd(azimuth).toRotationMatrix();
-    PointFields values;
-    values.point = axes * Eigen::Vector3d(at[0], 0, at[1]);
+    const Eigen::Vector3d point = axes * Eigen::Vector3d(at[0], 0, at[1]);
     const Eigen::Vector2d tilt = motion.tail<2>();
-    values.displacement = axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1));
-    values.rigid_motion.head<2>() = -tilt * values.point(2);
-    values.rigid_motion(2) = motion(0) + tilt.dot(values.point.head<2>());
-    values.stress = axes * cylindrical_stress(in_phase, conjugate) * axes.transpose();
+    const Eigen::Matrix3d stress = axes * cylindrical_stress(in_phase, conjugate) * axes.transpose();
+    Eigen::Matrix<double, n_values, 1> values;
+    values << axes * Eigen::Vector3d(in_phase(0), conjugate(0), in_phase(1)), -tilt * point(2),
+      motion(0) + tilt.dot(point.head<2>()), stress.reshaped(),
+      strain_of(stress, field.material()).reshaped(), von_mises(stress), contact_pressure, point;
     return values;
   }
 
