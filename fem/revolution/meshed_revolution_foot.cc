@@ -20,12 +20,6 @@ MeshedRevolutionFoot::MeshedRevolutionFoot(const RevolutionSetup &setup)
 {
 }
 
-MeshedRevolutionFoot::MeshedRevolutionFoot(const MeshedRevolutionFoot &other)
-    : RevolutionFoot(other)
-    , whole_land(other.whole_land)
-{
-}
-
 std::shared_ptr<const Foot> MeshedRevolutionFoot::clone() const
 {
   return std::make_shared<MeshedRevolutionFoot>(*this);

@@ -22,9 +22,6 @@ public:
   /// Takes the compliances from @p cache, which other feet share.
   MeshedRevolutionFoot(const RevolutionSetup &setup, ComplianceCache &cache);
 
-  /// Copies the foot with its own state.
-  MeshedRevolutionFoot(const MeshedRevolutionFoot &other);
-
   std::shared_ptr<const Foot> clone() const override;
   std::vector<FieldFile> fields(const ContactState &state) const override;
   std::vector<StressedPatch> section(const ContactState &state, double theta) const override;
