@@ -30,11 +30,6 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
   return std::max(16 * slowest, 8 * std::min(terminal.time_constant, 100 / orbit));
 }
 
-std::optional<double> expected_spin(const Load &load, const Motion &motion)
-{
-  return find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
-}
-
 /// Returns the terminal spin with the load at one phase, an initial guess that needs few contact solves.
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
@@ -98,7 +93,9 @@ void find_terminal(const Load &load, const Question &question, Answer &found)
   SpinSearch search;
   search.spin_scale = load.spin_scale(motion);
   search.tolerance = 1e-11; // a tenth of the maximum relative error of a contact solution
-  search.initial_guess = question.initial_guess != 0 ? question.initial_guess : expected_spin(load, motion);
+  search.initial_guess = question.initial_guess != 0
+                           ? question.initial_guess
+                           : find_or_nullopt([&] { return terminal_spin(load.at(0), motion).omega; });
   search.grip_torque = question.grip_torque;
   search.stability_margin = [&load](double omega) { return load.stability_margin(omega); };
   search.nearest_unbalanced_spin = [&load](double omega) { return load.nearest_unbalanced_spin(omega); };

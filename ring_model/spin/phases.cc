@@ -139,11 +139,6 @@ SampleError PhaseSamples::error() const
   return { of_glass.mean + of_table.mean, std::max(of_glass.between, of_table.between) };
 }
 
-Sample PhaseSamples::load_of(const Eigen::VectorXd &column) const
-{
-  return Sample::from_coefficients(column, rings_per_load);
-}
-
 PhaseSamples PhaseSamples::halved(PhaseGrids::Angle angle) const
 {
   const PhaseGrids half = grids.halved(angle);

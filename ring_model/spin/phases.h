@@ -104,7 +104,10 @@ public:
   SampleError error() const;
 
 private:
-  Sample load_of(const Eigen::VectorXd &column) const;
+  Sample load_of(const Eigen::VectorXd &column) const
+  {
+    return Sample::from_coefficients(column, rings_per_load);
+  }
   PhaseSamples halved(PhaseGrids::Angle angle) const;
   /// Returns the largest torque_difference() of every other phase of an angle to its interpolation.
   double error_of_half(PhaseGrids::Angle angle) const;
