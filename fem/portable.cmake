@@ -23,12 +23,10 @@ set(STEMWARE_PORTABLE
     fem/revolution/dense_algebra.
     fem/revolution/elastic_response.
     fem/revolution/fourier_basis.
-    fem/revolution/line_bundle.
     fem/revolution/line_newton.
     fem/revolution/revolution_contact.
     fem/revolution/revolution_foot.
     fem/revolution/revolution_setup.
-    fem/revolution/target_clones.
     fem/pipeline/base/failures.
     fem/pipeline/base/json.h
     fem/pipeline/base/numbers.

@@ -2,7 +2,6 @@
 
 #include "fem/contact/contact_solution.h"
 #include "fem/revolution/dense_algebra.h"
-#include "fem/revolution/line_bundle.h"
 
 #include <Eigen/LU>
 #include <Eigen/QR>

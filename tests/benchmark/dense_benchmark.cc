@@ -3,7 +3,6 @@
 // Run: build/bench/dense_benchmark
 
 #include "fem/revolution/dense_algebra.h"
-#include "fem/revolution/line_bundle.h"
 
 #include <Eigen/LU>
 #include <benchmark/benchmark.h>
