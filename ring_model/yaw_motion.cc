@@ -1,7 +1,6 @@
 #include "ring_model/yaw_motion.h"
 
 #include "ring_model/failures.h"
-#include "ring_model/gripped_motion.h"
 #include "ring_model/load/require.h"
 
 #include <algorithm>

@@ -43,6 +43,12 @@ std::vector<YawSample> yaw_motion(const PhasedTorqueFunction &torque, double yaw
                                   const std::vector<double> &times, double accuracy, double spin_scale,
                                   double grip = 0., const std::vector<double> &breaks = {});
 
+/// Returns the motion at @p times [s] after @p start, braked by the fingers with @p grip [N m]. Other
+/// arguments as in yaw_motion(), but not checked. The torque is not evaluated after the last time.
+std::vector<YawSample> gripped_motion(const YawSample &start, const PhasedTorqueFunction &torque,
+                                      double yaw_inertia, const std::vector<double> &times, double accuracy,
+                                      double spin_scale, double grip, const std::vector<double> &breaks = {});
+
 /// Integrates the equations of yaw_motion() by forward Euler, as in the paper, from t = 0 and psi = 0 in @p
 /// n_steps steps of @p time_step [s]. Returns n_steps + 1 samples. First order in @p time_step. Throws
 /// std::invalid_argument if the inertia or the step is not positive.
