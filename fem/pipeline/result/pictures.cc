@@ -3,7 +3,7 @@
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/result/curves.h"
 #include "ring_model/load/constants.h"
-#include "ring_model/rim_slip.h"
+#include "ring_model/spin/curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "ring_model/rim_slip.h"
+#include "ring_model/spin/curves.h"
 
 #include <gtest/gtest.h>
 
