@@ -12,7 +12,6 @@
 #include "ring_model/failures.h"
 
 #include <exception>
-#include <memory>
 #include <optional>
 #include <string>
 
@@ -22,9 +21,8 @@ namespace stemware::pipeline
 namespace
 {
 
-std::unique_ptr<Explorer> explorer = std::make_unique<Explorer>(); // NOLINT: one explorer per page
-std::optional<fem::ContactState> last_contact;                     // NOLINT
-std::string reply;                                                 // NOLINT: read by the page
+Explorer explorer; // NOLINT: one explorer per page
+std::string reply; // NOLINT: read by the page
 
 Json ring_summary(const ring::Answer &row)
 {
@@ -46,7 +44,7 @@ Json document_of(const Results &results, const Json &summary = Json::object())
 /// Returns a part of the document of `stemware run`, with the same keys.
 Json answer_document(const LiveAnswer &found)
 {
-  const Study &study = explorer->study();
+  const Study &study = explorer.study();
   Results results;
   Json summary = { { "ring", ring_summary(found.full) },
                    { "paper", ring_summary(found.paper) },
@@ -88,7 +86,7 @@ const char *answer(const Make &make)
                               : dynamic_cast<const ring::Tipping *>(&failure) != nullptr;
     reply = dump_utf8({ { "error", failure.what() },
                         { "tips", tips },
-                        { "notes", implausible_notes(entries_of(explorer->study())) } });
+                        { "notes", implausible_notes(entries_of(explorer.study())) } });
   }
   return reply.c_str();
 }
@@ -102,13 +100,12 @@ using namespace stemware::pipeline;
 
 void explore_begin()
 {
-  explorer = std::make_unique<Explorer>();
+  explorer = Explorer();
 }
 
 void explore_take(const double *numbers, int is_disc)
 {
-  explorer->set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(numbers)),
-                           is_disc != 0);
+  explorer.set_compliance(numbers, is_disc != 0);
 }
 
 const char *explore_set(const char *path, const char *value)
@@ -116,14 +113,14 @@ const char *explore_set(const char *path, const char *value)
   return answer(
     [&]
     {
-      explorer->set(path, value);
+      explorer.set(path, value);
       return Json(Json::object());
     });
 }
 
 void explore_ready(double fineness)
 {
-  explorer->freeze_mesh(fineness);
+  explorer.freeze_mesh(fineness);
 }
 
 const char *explore_solve(unsigned int n_harmonics, int cold)
@@ -131,10 +128,9 @@ const char *explore_solve(unsigned int n_harmonics, int cold)
   return answer(
     [&]
     {
-      const LiveAnswer found = explorer->solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
-      last_contact = found.contact;
+      const LiveAnswer found = explorer.solve(n_harmonics == 0 ? all_harmonics : n_harmonics, cold != 0);
       return Json{ { "fit", found.mesh_differs ? "near" : "same" },
-                   { "notes", implausible_notes(entries_of(explorer->study())) },
+                   { "notes", implausible_notes(entries_of(explorer.study())) },
                    { "document", answer_document(found) } };
     });
 }
@@ -145,12 +141,12 @@ const char *explore_pressure()
     [&]
     {
       Results results;
-      if (last_contact)
+      if (const auto &contact = explorer.contact())
       {
-        const fem::PressureMap map = explorer->pressure(*last_contact);
+        const fem::PressureMap map = explorer.pressure();
         results.tables["foot"] = {
-          { "footprint", pressure_map(map, explorer->study().glass.profile.contact_radius,
-                                      fem::largest_pressure(map), last_contact->load.peak_pressure) }
+          { "footprint", pressure_map(map, explorer.study().glass.profile.contact_radius,
+                                      fem::largest_pressure(map), contact->load.peak_pressure) }
         };
       }
       return Json{ { "document", document_of(results) } };
@@ -163,7 +159,7 @@ const char *explore_curves()
     [&]
     {
       Results results;
-      if (const std::optional<StudyCurves> curves = explorer->curves())
+      if (const std::optional<StudyCurves> curves = explorer.curves())
       {
         Fields<std::size_t> torque = torque_columns(curves->torque);
         if (!curves->paper.empty())
@@ -171,7 +167,7 @@ const char *explore_curves()
                        [&](std::size_t i) { return curves->paper[i].friction.torque; },
                        in_picture("paper") });
         add_curves(*curves, torque, spin_up_columns(curves->spin_up, curves->n_first), results);
-        add_motion(explorer->study().motion.orbit, explorer->study().glass.profile.contact_radius,
+        add_motion(explorer.study().motion.orbit, explorer.study().glass.profile.contact_radius,
                    curves->spin_up.instants, results);
       }
       return Json{ { "document", document_of(results) } };
@@ -185,7 +181,7 @@ const char *explore_budget()
     {
       Results results;
       HarmonicEffect effect;
-      if (const std::optional<StudyRows> models = explorer->models())
+      if (const std::optional<StudyRows> models = explorer.models())
       {
         results.tables["waterfall"] = chain_fields().json(named_steps(assess_chain(*models)));
         effect = harmonic_effect(*models);

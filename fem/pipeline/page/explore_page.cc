@@ -122,11 +122,9 @@ ring::Answer answer_in_page(const std::vector<StudyEntry> &own, double fineness,
   Explorer explorer;
   for (const auto &[path, value] : values_of(own))
     explorer.set(path, value);
-  explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(foot.numbers())),
-                          false);
+  explorer.set_compliance(foot.numbers(), false);
   if (disc)
-    explorer.set_compliance(std::make_shared<const fem::ContactCompliance>(deserialized(disc->numbers())),
-                            true);
+    explorer.set_compliance(disc->numbers(), true);
   explorer.freeze_mesh(fineness);
   return explorer.solve(all_harmonics, true).full.value();
 }

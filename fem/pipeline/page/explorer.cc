@@ -81,11 +81,42 @@ std::optional<BalanceNearby> balance_near(const ring::TerminalSpin &near, const 
   return last;
 }
 
+/// Inverse of serialized().
+fem::ContactCompliance deserialized(const double *numbers)
+{
+  fem::ContactCompliance compliance;
+  const auto n = static_cast<Eigen::Index>(numbers[0]);
+  compliance.degree = static_cast<unsigned int>(numbers[1]);
+  compliance.harmonics.resize(static_cast<std::size_t>(numbers[2]) + 1);
+  compliance.n_meridian_unknowns = static_cast<unsigned int>(numbers[3]);
+  compliance.n_inside = static_cast<Eigen::Index>(numbers[4]);
+  compliance.n_outside = static_cast<Eigen::Index>(numbers[5]);
+  numbers += 6;
+  compliance.radii = Eigen::Map<const Eigen::VectorXd>(numbers, n);
+  numbers += n;
+  const auto read_harmonic = [&](fem::HarmonicCompliance &harmonic)
+  {
+    harmonic.normal.resize(n, n);
+    for (Eigen::Index j = 0; j < n; ++j)
+      for (Eigen::Index i = j; i < n; ++i)
+        harmonic.normal(i, j) = harmonic.normal(j, i) = *numbers++;
+    for (Eigen::MatrixXd *matrix : { &harmonic.radial, &harmonic.azimuthal })
+    {
+      *matrix = Eigen::Map<const Eigen::MatrixXd>(numbers, n, n);
+      numbers += n * n;
+    }
+  };
+  for (fem::HarmonicCompliance &harmonic : compliance.harmonics)
+    read_harmonic(harmonic);
+  read_harmonic(compliance.tail);
+  return compliance;
+}
+
 } // namespace
 
-void Explorer::set_compliance(std::shared_ptr<const fem::ContactCompliance> given, bool is_disc)
+void Explorer::set_compliance(const double *numbers, bool is_disc)
 {
-  (is_disc ? disc_compliance : compliance) = std::move(given);
+  (is_disc ? disc_compliance : compliance) = deserialized(numbers);
 }
 
 void Explorer::set(const std::string &entry_path, const std::string &value)
@@ -127,9 +158,8 @@ bool Explorer::mesh_differs() const
 
 std::shared_ptr<fem::Foot> Explorer::make_foot(const FootSpecification &specification) const
 {
-  const auto of =
-    [](const std::shared_ptr<const fem::ContactCompliance> &given, double modulus, double modulus_now)
-  { return modulus == modulus_now ? *given : given->scaled(modulus / modulus_now); };
+  const auto of = [](const fem::ContactCompliance &given, double modulus, double modulus_now)
+  { return modulus == modulus_now ? given : given.scaled(modulus / modulus_now); };
   const fem::RevolutionSetup setup = revolution_setup(specification);
   const fem::ContactCompliance own =
     of(compliance, base.glass.material.young_modulus, specification.study.glass.material.young_modulus);
@@ -273,36 +303,6 @@ std::vector<double> serialized(const fem::ContactCompliance &compliance)
     add_harmonic(harmonic);
   add_harmonic(compliance.tail);
   return numbers;
-}
-
-fem::ContactCompliance deserialized(const double *numbers)
-{
-  fem::ContactCompliance compliance;
-  const auto n = static_cast<Eigen::Index>(numbers[0]);
-  compliance.degree = static_cast<unsigned int>(numbers[1]);
-  compliance.harmonics.resize(static_cast<std::size_t>(numbers[2]) + 1);
-  compliance.n_meridian_unknowns = static_cast<unsigned int>(numbers[3]);
-  compliance.n_inside = static_cast<Eigen::Index>(numbers[4]);
-  compliance.n_outside = static_cast<Eigen::Index>(numbers[5]);
-  numbers += 6;
-  compliance.radii = Eigen::Map<const Eigen::VectorXd>(numbers, n);
-  numbers += n;
-  const auto read_harmonic = [&](fem::HarmonicCompliance &harmonic)
-  {
-    harmonic.normal.resize(n, n);
-    for (Eigen::Index j = 0; j < n; ++j)
-      for (Eigen::Index i = j; i < n; ++i)
-        harmonic.normal(i, j) = harmonic.normal(j, i) = *numbers++;
-    for (Eigen::MatrixXd *matrix : { &harmonic.radial, &harmonic.azimuthal })
-    {
-      *matrix = Eigen::Map<const Eigen::MatrixXd>(numbers, n, n);
-      numbers += n * n;
-    }
-  };
-  for (fem::HarmonicCompliance &harmonic : compliance.harmonics)
-    read_harmonic(harmonic);
-  read_harmonic(compliance.tail);
-  return compliance;
 }
 
 } // namespace stemware::pipeline

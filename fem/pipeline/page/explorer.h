@@ -33,8 +33,9 @@ struct LiveAnswer
 class Explorer
 {
 public:
-  /// Sets the compliance of the foot, for the study's present Young modulus, or of the disc.
-  void set_compliance(std::shared_ptr<const fem::ContactCompliance> compliance, bool is_disc);
+  /// Sets the compliance of the foot, for the study's present Young modulus, or of the disc. @p numbers: as
+  /// serialized() returns.
+  void set_compliance(const double *numbers, bool is_disc);
 
   /// Sets an entry of the study. Throws BadInput for unknown entries, inadmissible values, and, after
   /// freeze_mesh(), for entries that change the compliances. Another contact radius then scales all lengths
@@ -45,9 +46,6 @@ public:
   void freeze_mesh(double fineness);
 
   const Study &study() const { return present; }
-  /// Returns LiveAnswer::mesh_differs of the present study. Throws BadInput if the mesh of the compliances
-  /// does not resolve the contact.
-  bool mesh_differs() const;
 
   /// Solves the study with all and with the first @p n_harmonics harmonics. If @p cold, solves it like
   /// `stemware run`. Otherwise starts from the last answer: if the solve converges, the spin is accurate to
@@ -63,13 +61,15 @@ public:
   /// after a warm start.
   std::optional<StudyRows> models();
 
-  /// Returns the pressure of @p contact, the contact of the last answer.
-  fem::PressureMap pressure(const fem::ContactState &contact) const
-  {
-    return foot->body().pressure_map(contact);
-  }
+  /// Returns LiveAnswer::contact of the last answer.
+  const std::optional<fem::ContactState> &contact() const { return contact_at_zero; }
+  /// Returns the pressure of contact().
+  fem::PressureMap pressure() const { return foot->body().pressure_map(*contact_at_zero); }
 
 private:
+  /// Returns LiveAnswer::mesh_differs of the present study. Throws BadInput if the mesh of the compliances
+  /// does not resolve the contact.
+  bool mesh_differs() const;
   std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification) const;
   Executor executor() const;
   /// Returns the size of the foot over that of the foot of the compliances.
@@ -82,7 +82,7 @@ private:
   Study present, base;
   Discretisation discretisation; ///< discretisation of the compliances
   bool is_ready = false;
-  std::shared_ptr<const fem::ContactCompliance> compliance, disc_compliance;
+  fem::ContactCompliance compliance, disc_compliance;
   std::shared_ptr<ElasticFoot> foot; ///< foot of the last answer
   LoadedRow paper;                   ///< the paper's row of the last answer
   std::vector<LoadedRow> rows;       ///< of the last answer, all harmonics last; empty after follow()
@@ -96,6 +96,5 @@ private:
 /// Converts a compliance to numbers: nodes, degree, highest harmonic, unknowns, n_inside, n_outside, radii;
 /// for each harmonic and the tail the lower triangle of `normal` by columns, `radial` and `azimuthal`.
 std::vector<double> serialized(const fem::ContactCompliance &compliance);
-fem::ContactCompliance deserialized(const double *numbers);
 
 } // namespace stemware::pipeline
