@@ -3,7 +3,6 @@
 #include "fem/pipeline/base/failures.h"
 
 #include <cerrno>
-#include <cstdio>
 #include <fmt/format.h>
 #include <fstream>
 #include <sstream>
@@ -17,16 +16,14 @@ namespace fs = std::filesystem;
 
 void write_text_file(const fs::path &file, const std::string &text)
 {
-  std::FILE *const stream = std::fopen(file.c_str(), "we");
-  int trouble =
-    stream == nullptr || std::fwrite(text.data(), 1, text.size(), stream) < text.size() ? errno : 0;
-  if (stream != nullptr && std::fclose(stream) != 0 && trouble == 0)
-    trouble = errno;
-  if (trouble != 0)
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  stream.close(); // fails too if the file was not opened
+  if (!stream)
     throw OutputFailure(fmt::format(
       FMT_STRING(
         "The file {} cannot be written ({}); free some space, or choose another place with --output."),
-      file.filename().string(), std::generic_category().message(trouble)));
+      file.filename().string(), std::generic_category().message(errno)));
 }
 
 std::string read_text_file(const fs::path &file)
