@@ -12,8 +12,6 @@
 namespace stemware::pipeline
 {
 
-// ---- parts of summary.json
-
 /// Returns "error_bands" of summary.json, by key; @p with_richardson: with the extrapolated value.
 Fields<BandedQuantity> band_fields(bool with_richardson);
 
@@ -26,8 +24,6 @@ Fields<StudyAnswer> harmonics_fields();
 /// Returns the summary of `run`.
 Fields<StudyAnswer> run_fields();
 
-// ---- tables of the page
-
 /// Returns the page's numbers of the contact, one column each.
 Table contact_list(const FootReport &foot);
 
@@ -36,8 +32,6 @@ void add_truncations(const StudyAnswer &answer, Results &results);
 
 /// Adds the tables "bands" and "band_parts".
 void add_band_tables(const std::vector<BandedQuantity> &bands, Results &results);
-
-// ---- data files
 
 /// Returns the files of `run`, with the tables that the answer has.
 std::vector<ResultFile> run_files(const StudyAnswer &answer);

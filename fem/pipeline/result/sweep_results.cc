@@ -114,19 +114,19 @@ struct FailureRow
 Table failure_table(const CaseList &list, const FinishedCases &finished)
 {
   constexpr std::size_t max_rows = 20;
-  // Index of the first case, and number of cases, by message.
-  std::map<std::string, std::pair<std::size_t, std::size_t>> reasons;
+  std::map<std::string, FailureRow> reasons; // by message
   for (const auto &[index, result] : finished)
     if (result.status == "failed")
-      ++reasons.emplace(result.message, std::pair(index, std::size_t(0))).first->second.second;
+      ++reasons.try_emplace(result.message, FailureRow{ 0, list.values_of(index), result.message })
+          .first->second.n_cases;
   static const auto fields =
     Fields<FailureRow>{ { "cases", "1", "", &FailureRow::n_cases, on_page("cases") },
                         { "first of them", "", "", &FailureRow::first, on_page("first of them") },
                         { "message", "", "", &FailureRow::message, on_page("message") } };
   std::vector<FailureRow> rows;
-  for (const auto &[message, place] : reasons)
+  for (const auto &[message, row] : reasons)
     if (rows.size() < max_rows)
-      rows.push_back({ place.second, list.values_of(place.first), message });
+      rows.push_back(row);
   return fields.table(rows, Face::page);
 }
 

@@ -30,6 +30,20 @@ std::vector<std::string> header_of(const Quantity &quantity)
   return lines;
 }
 
+/// Returns a cell as text for console or page; @p missing for a missing value.
+std::string shown(const Quantity &quantity, const Json &cell, const std::string &missing)
+{
+  if (cell.is_number_float() && std::isfinite(cell.get<double>()))
+    return format::number(cell, quantity.digits);
+  if (cell.is_number_integer())
+    return cell.dump();
+  if (cell.is_string())
+    return cell;
+  if (cell.is_boolean())
+    return cell.get<bool>() ? "yes" : "no";
+  return missing;
+}
+
 /// Lines of a column, all equally wide. The header is aligned at the bottom.
 struct LaidOutColumn
 {
@@ -91,19 +105,6 @@ std::string exact(const Json &cell, const std::string &missing)
 }
 
 } // namespace
-
-std::string shown(const Quantity &quantity, const Json &cell, const std::string &missing)
-{
-  if (cell.is_number_float() && std::isfinite(cell.get<double>()))
-    return format::number(cell, quantity.digits);
-  if (cell.is_number_integer())
-    return cell.dump();
-  if (cell.is_string())
-    return cell;
-  if (cell.is_boolean())
-    return cell.get<bool>() ? "yes" : "no";
-  return missing;
-}
 
 Table as_list(const Table &row)
 {

@@ -8,9 +8,6 @@
 namespace stemware::pipeline
 {
 
-/// Returns a cell as text for console or page; @p missing for a missing value.
-std::string shown(const Quantity &quantity, const Json &cell, const std::string &missing);
-
 /// Returns a table of one row as a list: a row per column, with heading, unit, and value as text.
 Table as_list(const Table &row);
 
