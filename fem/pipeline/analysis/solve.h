@@ -56,35 +56,12 @@ struct Analysis
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor);
 
-/// Returns true if all ranks must solve the foot of one of the variants together.
-template <typename Variants>
-bool any_is_collective(const Variants & /*variants*/)
+/// Returns the relative cost of @p variant, used to start expensive variants first.
+inline std::pair<int, unsigned int> cost_of(const Variant &variant)
 {
-  return false;
-}
-template <typename AnyVariant>
-bool any_is_collective(const std::vector<AnyVariant> &variants)
-{
-  return std::any_of(variants.begin(), variants.end(),
-                     [](const AnyVariant &variant) { return variant.study.is_collective(); });
-}
-
-/// Returns a relative cost, used to start expensive variants first; zero for lazily created variants.
-template <typename Variants>
-std::pair<int, unsigned int> cost_of(const Variants & /*variants*/, std::size_t /*i*/)
-{
-  return {};
-}
-template <typename AnyVariant>
-std::pair<int, unsigned int> cost_of(const std::vector<AnyVariant> &variants, std::size_t i)
-{
-  const Variant &variant = variants[i];
   return { (variant.shared > Shared::rings ? 0 : 1) + (variant.study.table.is_hard() ? 2 : 0),
            variant.study.contact.degree + variant.discretisation.halvings_beyond_zone };
 }
-
-/// No progress callback.
-inline constexpr auto no_callback = [](std::size_t, const auto &) {};
 
 /// Returns a callback that reports the number of finished @p pieces of @p n_all to @p progress.
 inline auto counting_callback(Progress &progress, const std::string &pieces, std::size_t n_all)
@@ -93,13 +70,13 @@ inline auto counting_callback(Progress &progress, const std::string &pieces, std
   { progress.pieces_done(pieces, ++n_done, n_all); };
 }
 
-/// Calls @p question(variant, its foot) for each of @p variants (a vector of Variant or derived types, or any
-/// type with size() and operator[]), in any order or in parallel; collective feet one after another. Initial
-/// guesses come from @p foot, never from another variant, so that answers depend on the list only. @p done(i,
-/// solved) is called after each, one at a time; its exceptions end the work.
-template <typename Variants, typename Question, typename Done = decltype(no_callback)>
-auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, const Question &question,
-           const Executor &executor, Done done = no_callback)
+/// Calls @p question(variant, its foot) for each of @p variants (Variant or a derived type), in any order or in
+/// parallel; collective feet one after another. Initial guesses come from @p foot, never from another variant,
+/// so that answers depend on the list only. @p done(i, solved) is called after each, one at a time; its
+/// exceptions end the work.
+template <typename AnyVariant, typename Question, typename Done>
+auto solve(const std::vector<AnyVariant> &variants, const std::shared_ptr<ElasticFoot> &foot,
+           const Question &question, const Executor &executor, Done done)
 {
   using Answer = decltype(question(variants[0], foot));
   std::vector<Solved<Answer>> solved(variants.size());
@@ -108,8 +85,7 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
   {
     try
     {
-      const auto &variant = variants[i];
-      solved[i].answer = question(variant, foot_of(variant, foot, executor));
+      solved[i].answer = question(variants[i], foot_of(variants[i], foot, executor));
     }
     catch (const std::exception &failure)
     {
@@ -125,9 +101,11 @@ auto solve(const Variants &variants, const std::shared_ptr<ElasticFoot> &foot, c
   // Expensive variants start first, so that others are solved in parallel with them.
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t one, std::size_t other)
-                   { return cost_of(variants, one) > cost_of(variants, other); });
+                   { return cost_of(variants[one]) > cost_of(variants[other]); });
+  const bool is_collective = std::any_of(variants.begin(), variants.end(), [](const Variant &variant)
+                                         { return variant.study.is_collective(); });
   executor.for_each(
-    order.size(), [&](std::size_t i) { solve_one(order[i]); }, any_is_collective(variants));
+    order.size(), [&](std::size_t i) { solve_one(order[i]); }, is_collective);
   return solved;
 }
 

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <utility>
@@ -23,25 +24,11 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Selected cases of a list as variants, created on demand.
-struct CaseVariants
-{
-  std::size_t size() const { return indices.size(); }
-  Variant operator[](std::size_t i) const
-  {
-    const Study study = list.study_of(indices[i]);
-    return { { study, mesh_for_goal(study, executor).discretisation } };
-  }
-
-  const CaseList &list;
-  const std::vector<std::size_t> &indices;
-  const Executor &executor;
-};
-
-CaseResult failed_case(const std::exception_ptr &failure)
+/// Returns the result of the case @p index, or its failure. Throws std::bad_alloc and OutputFailure.
+CaseResult finished_case(const CaseList &list, std::size_t index, const Executor &executor)
 try
 {
-  std::rethrow_exception(failure);
+  return case_result(list.study_of(index), executor);
 }
 catch (const fem::ContactFailure &contact)
 {
@@ -60,7 +47,7 @@ catch (const OutputFailure &)
 {
   throw;
 }
-catch (...)
+catch (const std::exception &)
 {
   return { "", "failed", failure_sentence() };
 }
@@ -97,13 +84,14 @@ std::optional<double> CaseResult::value(const std::string &key) const
   return found == values.end() ? std::nullopt : std::optional(found->second);
 }
 
-CaseResult case_result(const Analysis &analysis)
+CaseResult case_result(const Study &study, const Executor &executor, std::shared_ptr<ElasticFoot> *start)
 {
-  const auto &[study, foot, executor] = analysis;
+  const Variant variant = { { study, mesh_for_goal(study, executor).discretisation } };
+  const auto foot = foot_of(variant, start ? *start : nullptr, executor);
   const BalancedLoad load = find_load(study, foot, executor.progress);
   StudyAnswer answer = { study };
   SpinStudy &spin = answer.spin;
-  spin.rows = rows_by_harmonics(analysis, load, Depth::answer);
+  spin.rows = rows_by_harmonics({ study, foot, executor }, load, Depth::answer);
   std::optional<ring::Load> curve; // up to tipping, it would take as long as the search for this spin
   if (const std::optional<double> omega = spin.answer().omega_terminal())
     curve = ring::interpolated_for_curves(load, spin.answer(), std::min(0., *omega), std::max(0., *omega));
@@ -127,14 +115,6 @@ CaseResult case_result(const Analysis &analysis)
                                    " is not a finite number; please report this study.");
         result.values[quantity.key] = value.get<double>() + 0.; // + 0. avoids -0
       }
-  return result;
-}
-
-CaseResult case_result(const Study &study, const Executor &executor, std::shared_ptr<ElasticFoot> *start)
-{
-  const Variant variant = { { study, mesh_for_goal(study, executor).discretisation } };
-  const auto foot = foot_of(variant, start ? *start : nullptr, executor);
-  CaseResult result = case_result({ study, foot, executor });
   if (start)
     *start = foot;
   return result;
@@ -148,16 +128,16 @@ void solve_cases(const CaseList &list, const std::vector<std::size_t> &wanted, u
     (is_collective_case(list, index) ? collective : single).push_back(index);
   fem::ComplianceCache cache;
   const ThreadedExecutor within_case(cache);
+  std::mutex mutex;
   for (const auto &[indices, threads] : { std::pair(single, n_threads), std::pair(collective, 1u) })
   {
-    ThreadedExecutor executor(cache, threads);
-    executor.keeps_all_failures = true;
-    const auto result_of = [&](const Variant &variant, const std::shared_ptr<ElasticFoot> &foot) {
-      return case_result({ variant.study, foot, within_case });
+    const auto solve_one = [&, &indices = indices](std::size_t i)
+    {
+      const CaseResult result = finished_case(list, indices[i], within_case);
+      const std::lock_guard<std::mutex> lock(mutex);
+      finish(indices[i], result);
     };
-    const auto done = [&, &indices = indices](std::size_t i, const Solved<CaseResult> &solved)
-    { finish(indices[i], solved.answer ? *solved.answer : failed_case(solved.failure)); };
-    solve(CaseVariants{ list, indices, within_case }, nullptr, result_of, executor, done);
+    ThreadedExecutor(cache, threads).for_each(indices.size(), solve_one);
   }
 }
 

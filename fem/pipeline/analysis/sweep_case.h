@@ -30,12 +30,9 @@ struct CaseResult
   std::optional<double> value(const std::string &key) const;
 };
 
-/// Solves a study on its foot as `run` does with Depth::answer; equal studies have equal results. Throws as
-/// find_load() and rows_by_harmonics().
-CaseResult case_result(const Analysis &analysis);
-
-/// Solves a study on a new foot with the mesh of mesh_for_goal(). @p start: foot of a similar study, whose
-/// contacts are initial guesses (they change the result within tolerance); replaced by the foot of @p study.
+/// Solves a study as `run` does with Depth::answer, on a new foot with the mesh of mesh_for_goal(). @p start:
+/// foot of a similar study, whose contacts are initial guesses (they change the result within tolerance);
+/// replaced by the foot of @p study. Throws as foot_of(), find_load() and rows_by_harmonics().
 CaseResult case_result(const Study &study, const Executor &executor,
                        std::shared_ptr<ElasticFoot> *start = nullptr);
 

@@ -86,11 +86,12 @@ TEST(Solve, FailuresAreStoredPerVariantOrThrownAtOnce)
   const std::vector<Variant> variants(2, { { quick_contact_study() } });
   const auto question = [](const Variant &, const std::shared_ptr<ElasticFoot> &) -> int
   { throw std::logic_error("a bug"); };
+  const auto no_callback = [](std::size_t, const auto &) {};
   fem::ComplianceCache cache;
   ThreadedExecutor executor(cache);
-  EXPECT_THROW(solve(variants, nullptr, question, executor)[1].value(), std::logic_error);
+  EXPECT_THROW(solve(variants, nullptr, question, executor, no_callback)[1].value(), std::logic_error);
   executor.keeps_all_failures = false;
-  EXPECT_THROW(solve(variants, nullptr, question, executor), std::logic_error);
+  EXPECT_THROW(solve(variants, nullptr, question, executor, no_callback), std::logic_error);
 }
 
 } // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
@@ -43,11 +42,6 @@ inline pipeline::SpinStudy whole_spin_study(const pipeline::Study &study, const 
 {
   const auto foot = pipeline::study_foot(study, executor.make_foot);
   return pipeline::study_spin({ study, foot, executor }, pipeline::find_load(study, foot));
-}
-
-inline pipeline::CaseResult solve_case(const pipeline::Study &study, const pipeline::Executor &executor)
-{
-  return pipeline::case_result({ study, pipeline::study_foot(study, executor.make_foot), executor });
 }
 
 } // namespace stemware::test

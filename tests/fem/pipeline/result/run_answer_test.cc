@@ -4,7 +4,6 @@
 #include "fem/pipeline/result/sentences.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_run.h"
-#include "tests/fem/pipeline/analysis/solved_study.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +85,7 @@ TEST(RunAnswer, ShowsTheHarmonicEffectAtLowOrbitSpeedsAndABoundIfItIsRoundingErr
     SCOPED_TRACE(speed);
     study.motion.orbit.orbit_speed = speed;
     fem::ComplianceCache cache;
-    const CaseResult solved = test::solve_case(study, ThreadedExecutor(cache));
+    const CaseResult solved = case_result(study, ThreadedExecutor(cache));
     const auto value = [&](const std::string &key) { return solved.value(key).value(); };
     const HarmonicEffect effect = { value("harmonic_effect"), value("harmonic_effect_relative") };
     EXPECT_NEAR(*effect.relative, usual.value_or(*effect.relative), 1e-5 * std::abs(*effect.relative));
