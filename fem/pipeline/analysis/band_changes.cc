@@ -209,7 +209,7 @@ double softening_by_narrow_contact(const fem::ElasticMaterial &glass, const fem:
                                    const LoadReport &load, double cell)
 {
   const double b = load.half_width(), nu = glass.poisson_ratio;
-  const double pressure = load.rings.a(0) / load.rings.radius() / (2 * b);
+  const double pressure = load.a(0) / load.radius() / (2 * b);
   const double indentation = 2 * (1 - nu * nu) / (ring::pi * glass.young_modulus) * std::log(cell / b);
   return 1 + indentation * 2 * b * table.interface->stiffness_at(pressure);
 }

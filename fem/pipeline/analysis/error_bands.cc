@@ -174,8 +174,8 @@ std::vector<QuantityOfInterest> quantities_from(const Evaluation &found, const E
 
 bool has_full_contact(const ring::Answer &all, const LoadReport &at_rest)
 {
-  return at_rest.contact_fraction >= 1 && at_rest.minimum > 0.02 * at_rest.rings.a(0) &&
-         all.at_terminal->load.minimum() > 0.02 * at_rest.rings.a(0);
+  return at_rest.contact_fraction >= 1 && at_rest.least > 0.02 * at_rest.a(0) &&
+         all.at_terminal->load.minimum() > 0.02 * at_rest.a(0);
 }
 
 EvaluationPoints probe_of(const ElasticFoot &foot, double omega, const std::optional<double> &first)

@@ -27,7 +27,7 @@ std::vector<QuantityOfInterest> load_quantities(const LoadReport &load, double s
     if (quantity.key == "contact_fraction" || quantity.key == "azimuth_fraction")
       return 0 < value && value < 1 ? share_noise : 0.;
     return relative_noise * (quantity.unit == "1"       ? 1
-                             : quantity.unit == "N/rad" ? load.rings.a(0)
+                             : quantity.unit == "N/rad" ? load.a(0)
                                                         : std::abs(value));
   };
   std::vector<QuantityOfInterest> quantities;
@@ -57,8 +57,8 @@ std::vector<QuantityOfInterest> quantities_of_interest(const Study &study, const
   // contact edges are interpolated between the azimuth lines.
   std::vector<QuantityOfInterest> quantities = load_quantities(
     at_rest, contact.is_of_revolution() ? relative_noise : 1. / contact.resolution.azimuthal_cells);
-  const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() * at_rest.normal_force *
-                              study.glass.profile.contact_radius;
+  const double torque_noise = relative_noise * study.motion.orbit.friction_at_rest() *
+                              at_rest.normal_force() * study.glass.profile.contact_radius;
   constexpr double noise_of_slopes = 1e3; // factor between the relative noise of slopes and of torques
   for (const auto &[quantity, value_of] : answer_fields().all())
     if (!quantity.banded.empty())

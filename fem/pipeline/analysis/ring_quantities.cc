@@ -147,27 +147,26 @@ Fields<LoadReport> all_load_fields()
       [](const Load &load)
       {
         std::vector<double> radii;
-        for (const Ring &ring : load.rings.rings())
+        for (const Ring &ring : load.rings())
           radii.push_back(ring.radius);
         return radii;
       } },
     { "rings", "Harmonics of each ring, in the order of the radii.", ring_fields,
-      [](const Load &load) { return load.rings.rings(); } },
+      [](const Load &load) { return load.rings(); } },
     { "a", "N/rad", "Cosine coefficients of the sum of the rings.",
-      [](const Load &load) { return series_of(load.rings)[0]; } },
+      [](const Load &load) { return series_of(load)[0]; } },
     { "b", "N/rad", "Sine coefficients of the sum of the rings.",
-      [](const Load &load) { return series_of(load.rings)[1]; } },
+      [](const Load &load) { return series_of(load)[1]; } },
     { "normal_force", "N", "N = 2π a_0.", &Load::normal_force, in_column("normal force") },
     { "moment", "N m", "M_N = (Σ y f, −Σ x f), about the centre of the rings.",
       [](const Load &load) {
-        return std::array<double, 2>{ load.moment.x(), load.moment.y() };
+        return std::array<double, 2>{ load.moment().x(), load.moment().y() };
       } },
     { "moment_ratio", "1",
       "|M_N| / (N R/2), R = Glass/Contact radius; for a load file, its ring radius. A first harmonic "
       "lifts off at 1, the glass tips at 2, on a flat land of outer radius r_o at 2 r_o/R.",
       &Load::moment_ratio, in_column("moment ratio at rest"), on_page("moment ratio at rest") },
-    { "ring_radius", "m", "Radius of the single ring with the same N, M_N and first harmonic.",
-      [](const Load &load) { return load.rings.radius(); },
+    { "ring_radius", "m", "Radius of the single ring with the same N, M_N and first harmonic.", &Load::radius,
       in_column("radius of the equivalent ring at rest"), in_bands() },
     { "mean_radius", "m", "Σ f r / Σ f.", &Load::mean_radius, in_column("mean radius of the load at rest") },
     { "contact_fraction", "1",
@@ -181,25 +180,26 @@ Fields<LoadReport> all_load_fields()
       "disc).",
       &Load::azimuth_fraction, in_bands("share of the azimuths under pressure at rest") },
     { "least_load", "N/rad",
-      "Least load, interpolated between the azimuth lines by the trigonometric interpolant.", &Load::minimum,
+      "Least load, interpolated between the azimuth lines by the trigonometric interpolant.", &Load::least,
       in_column("least load at rest"), in_bands() },
     { "peak_pressure", "Pa",
       "Largest pressure. On a hard table: of the profile p_0 (1 - x^2)^a across the rim that has the "
       "force and the moments of the contact. Null without a contact.",
-      &Load::peak_pressure, in_bands("largest pressure at rest") },
+      [](const Load &load) { return load.peak_pressure > 0 ? Number(load.peak_pressure) : std::nullopt; },
+      in_bands("largest pressure at rest") },
     { "contact_width", "m",
       "Largest width of the contact across the rim at any azimuth. On a rough table: the width with 99 % "
       "of the azimuth's load. Null without a contact, and if the mesh does not resolve the contact "
       "across the rim.",
       &Load::contact_width, in_bands("largest width of the contact at rest") },
-    { "mean_load", "N/rad", "", [](const Load &load) { return load.rings.a(0); }, in_column("a_0 at rest") }
+    { "mean_load", "N/rad", "", [](const Load &load) { return load.a(0); }, in_column("a_0 at rest") }
   };
   for (unsigned int n = 1; n <= n_harmonics_of_interest; ++n)
     for (const char letter : { 'a', 'b' })
     {
       const std::string order = std::to_string(n);
       const auto coefficient = [=](const Load &load)
-      { return (letter == 'a' ? load.rings.a(n) : load.rings.b(n)) / load.rings.a(0); };
+      { return (letter == 'a' ? load.a(n) : load.b(n)) / load.a(0); };
       fields.add({ letter + order, "1", "", coefficient,
                    in_column(std::string(1, letter) + '_' + order + " / a_0 at rest"), in_bands() });
     }

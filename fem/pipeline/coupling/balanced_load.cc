@@ -12,14 +12,14 @@ namespace stemware::pipeline
 namespace
 {
 
-std::vector<fem::AzimuthValue> by_azimuth(std::vector<fem::AzimuthValue> pointwise)
+/// Sorts @p pointwise by azimuth in [0, 2 pi).
+void sort_by_azimuth(std::vector<fem::AzimuthValue> &pointwise)
 {
   constexpr double turn = 2 * ring::pi;
   for (fem::AzimuthValue &place : pointwise)
     place.azimuth -= turn * std::floor(place.azimuth / turn);
   std::sort(pointwise.begin(), pointwise.end(),
             [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });
-  return pointwise;
 }
 
 } // namespace
@@ -36,34 +36,24 @@ LoadReport report_of(const ring::RingStack &load)
   unsigned int n_loaded = 0;
   for (unsigned int i = 0; i < n_azimuths; ++i)
     n_loaded += load(2 * ring::pi * (i + 0.5) / n_azimuths) > 0 ? 1 : 0;
-  LoadReport report = { load };
-  report.normal_force = load.normal_force();
-  report.moment = load.moment();
+  LoadReport report = { fem::ContactLoad(load) };
   report.moment_ratio = load.moment_ratio(load.radius());
   report.mean_radius = load.radius();
   report.contact_fraction = static_cast<double>(n_loaded) / n_azimuths;
   report.azimuth_fraction = report.contact_fraction;
-  report.minimum = load.minimum();
+  report.least = load.minimum();
   return report;
 }
 
 LoadReport report_of(const fem::ContactState &state, double contact_radius, bool tilts)
 {
-  const fem::ContactLoad &load = state.load;
-  LoadReport report = { load };
-  report.normal_force = load.normal_force();
-  report.moment = load.moment();
-  report.moment_ratio = load.moment_ratio(contact_radius);
-  report.mean_radius = load.mean_radius;
-  report.contact_fraction = load.contact_fraction;
-  report.azimuth_fraction = load.azimuth_fraction;
-  report.peak_pressure = load.peak_pressure;
-  report.minimum = load.least;
+  LoadReport report = { state.load };
+  report.moment_ratio = state.load.moment_ratio(contact_radius);
   report.inner_radius = state.inner_radius;
   report.outer_radius = state.outer_radius;
   if (tilts)
     report.tilt = state.solution.motion.tail<2>();
-  report.pointwise = by_azimuth(load.pointwise);
+  sort_by_azimuth(report.pointwise);
   return report;
 }
 

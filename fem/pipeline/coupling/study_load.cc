@@ -168,10 +168,10 @@ BalancedLoad load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const Co
   ring::SpinSampling spins;
   // The sampling intervals of the spin have a border at v / R, where the friction torque has a kink.
   if (balance.varies_with_spin)
-    spins.unit = balance.motion.orbit_speed / report.rings.radius() / (is_hard ? 2 : 4);
+    spins.unit = balance.motion.orbit_speed / report.radius() / (is_hard ? 2 : 4);
   // Without a torque at rest the glass does not spin up, unless rest is unstable. Its load is needed at the
   // small spins of the torque's slope.
-  const double radius = report.rings.radius();
+  const double radius = report.radius();
   if (std::abs(ring::wrench(balance.motion, samples.mean(), 0).torque) <=
       1e-6 * balance.motion.friction_at_rest() * balance.motion.normal_force() * radius)
     spins.rest = balance.motion.orbit_speed / radius / 30;

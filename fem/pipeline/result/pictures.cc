@@ -58,7 +58,7 @@ void add_load_lines(const LoadReport &report, Results &results)
     return;
   std::vector<fem::AzimuthValue> lines = report.pointwise;
   lines.push_back({ lines.front().azimuth + 2 * ring::pi, lines.front().value });
-  const double mean = report.rings.a(0);
+  const double mean = report.a(0);
   const auto fields = Fields<fem::AzimuthValue>{
     { "theta", "deg", "", [](const auto &line) { return line.azimuth / degree; }, in_picture("theta") },
     { "load", "1", "", [=](const auto &line) { return line.value / mean; }, in_picture("load") }

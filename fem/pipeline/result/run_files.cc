@@ -159,7 +159,7 @@ std::string load_file_text(const ring::RingStack &load)
 std::vector<ResultFile> run_files(const StudyAnswer &answer)
 {
   const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
-  const ring::RingStack &rings = contact.load.rings;
+  const ring::RingStack &rings = contact.load;
   std::vector<ResultFile> files = { { "summary.json", "all numbers, for programs" },
                                     { "parameters.prm", "the study as input file" },
                                     { "load.csv", "λ(θ) at rest", load_table(rings) },

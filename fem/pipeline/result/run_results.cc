@@ -196,9 +196,9 @@ void add_spin(const StudyAnswer &answer, Results &results)
   const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   const ring::Motion &motion = study.motion.orbit;
   const double radius = study.glass.profile.contact_radius;
-  add_slip("slip_at_rest", motion, radius, contact.load.rings, 0, results);
+  add_slip("slip_at_rest", motion, radius, contact.load, 0, results);
   if (const auto omega = spin.answer().omega_terminal(); omega && study.is_spin(*omega))
-    add_slip("slip_at_end", motion, radius, contact.load_at_end.rings, *omega, results);
+    add_slip("slip_at_end", motion, radius, contact.load_at_end, *omega, results);
   add_curves(spin, torque_columns(spin.torque), spin_up_columns(spin.spin_up), results);
   if (!spin.spin_up.instants.empty())
     add_motion(motion, radius, spin.spin_up.instants, results);

@@ -17,7 +17,7 @@ const Value *if_applies(bool applies, const Value &value)
 
 bool has_no_lift_off(const ContactReport &report)
 {
-  const auto pushes = [](const LoadReport &load) { return load.minimum >= 0 && load.contact_fraction >= 1; };
+  const auto pushes = [](const LoadReport &load) { return load.least >= 0 && load.contact_fraction >= 1; };
   return pushes(report.load) && pushes(report.load_at_end);
 }
 
@@ -162,8 +162,8 @@ Fields<StudyAnswer> ring_fields()
       "load.moment is that of t = 0.",
       [](const StudyAnswer &run)
       {
-        const double moment =
-          run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x() : run.contact.load.moment.x();
+        const double moment = run.spin.phases ? run.spin.answer().at_rest.value().load.moment().x()
+                                              : run.contact.load.moment().x();
         return run.study.motion.orbit.friction_at_rest() * moment;
       } },
     { "standing", "", "Status at the terminal spin.",

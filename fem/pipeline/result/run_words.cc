@@ -26,10 +26,10 @@ std::string lift_off_sentences(const std::vector<std::pair<std::string, const Lo
   for (const auto &[state, load] : states)
   {
     const std::string share = number(load->contact_fraction, ".1f%") + " of the land is under pressure";
-    if (load->minimum < 0)
+    if (load->least < 0)
       append(text, fmt::format(FMT_STRING("{} the load is negative somewhere, down to {} N/rad (tensile, not "
                                           "physical). {}."),
-                               state, number(load->minimum, ".4g"), share));
+                               state, number(load->least, ".4g"), share));
     else if (load->contact_fraction < 1)
       append(text, fmt::format(
                      FMT_STRING("{} the foot has partly lifted off: {}, at a moment ratio of {}{}."), state,
@@ -129,7 +129,7 @@ std::string spinning_answer(const StudyAnswer &run, double omega)
 /// bands computed at rest are used at every spin.
 std::string pressed_sentence(const std::string &state, const LoadReport &load, const ErrorBands &bands)
 {
-  if (!load.peak_pressure)
+  if (load.peak_pressure == 0)
     return "";
   const auto text = [&](const std::string &key, double value, const char *unit)
   {
@@ -137,7 +137,7 @@ std::string pressed_sentence(const std::string &state, const LoadReport &load, c
     return in_usual_unit(rounded(value, 3), unit) +
            (band && *band > 0.1 * value ? " ± " + in_usual_unit(rounded(*band, 2), unit) : "");
   };
-  return state + " the largest pressure is " + text("peak_pressure", *load.peak_pressure, "Pa") +
+  return state + " the largest pressure is " + text("peak_pressure", load.peak_pressure, "Pa") +
          (load.contact_width
             ? ", the contact at most " + text("contact_width", *load.contact_width, "m") + " wide."
             : ".");

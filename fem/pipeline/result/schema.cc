@@ -25,7 +25,7 @@ Json columns_of(const Table &table)
 std::vector<ResultFile> example_files()
 {
   StudyAnswer example;
-  example.contact.load.rings = ring::RingStack({ { 1, { 1 }, { 0 } }, { 2, { 1 }, { 0 } } });
+  example.contact.load = { fem::ContactLoad(ring::RingStack({ { 1, { 1 }, { 0 } }, { 2, { 1 }, { 0 } } })) };
   example.contact.foot = FootReport();
   example.contact.foot->footprint_at_end = fem::PressureMap();
   SpinStudy &spin = example.spin;
@@ -39,7 +39,7 @@ std::vector<ResultFile> example_files()
   files.push_back(
     { "torque_changes.csv", "", torque_change_columns(spin.torque_effects).table({}, Face::file) });
   LoadReport load;
-  load.azimuth_fraction = load.peak_pressure = load.contact_width = 1;
+  load.azimuth_fraction = load.contact_width = load.peak_pressure = 1;
   ErrorBands bands;
   for (const QuantityOfInterest &quantity :
        quantities_of_interest({}, load, Eigen::Vector3d::Zero(), {}, { { 0.5, 0 }, { 1.5, 0 } }))

@@ -36,7 +36,7 @@ double value_of(Study study, Goal goal, unsigned int refinements)
   fem::ComplianceCache cache;
   const BalancedLoad load = find_load(study, study_foot(study, foot_maker(cache)));
   if (goal == Goal::a2)
-    return load.report().rings.a(2) / load.report().rings.a(0);
+    return load.report().a(2) / load.report().a(0);
   return ring::answer(load, { study.motion.orbit }).value().omega_terminal().value();
 }
 

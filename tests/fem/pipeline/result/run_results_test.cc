@@ -84,7 +84,7 @@ TEST(RunResults, ContactFilesContainTheNumbersOfTheContact)
 
 TEST(RunResults, RingsFileContainsEveryCoefficientOfEveryRing)
 {
-  const ring::RingStack &load = solved_run().contact.load.rings;
+  const ring::RingStack &load = solved_run().contact.load;
   const CsvTable table = file_of(solved_run().results(), "rings.csv");
   std::size_t row = 0;
   for (std::size_t j = 0; j < load.rings().size(); ++j)
@@ -128,7 +128,7 @@ TEST(RunResults, SummaryContainsTheClosedFormOfTheTorqueAtRest)
 {
   const SolvedRun &run = solved_run();
   EXPECT_NEAR(run.summary()["ring"]["tau_closed_form"].get<double>(),
-              run.study.motion.orbit.friction_coefficient * run.contact.load.moment.x(), 1e-12);
+              run.study.motion.orbit.friction_coefficient * run.contact.load.moment().x(), 1e-12);
 }
 
 TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeLoad)
@@ -140,12 +140,12 @@ TEST(RunResults, NoLiftOffRequiresFullContactAndANonnegativeLoad)
   for (LoadReport *load : { &report.load, &report.load_at_end })
   {
     load->contact_fraction = 1;
-    load->minimum = 0.1;
+    load->least = 0.1;
   }
   EXPECT_TRUE(decided());
-  report.load.minimum = -1e-3; // tensile load
+  report.load.least = -1e-3; // tensile load
   EXPECT_FALSE(decided());
-  report.load.minimum = 0;
+  report.load.least = 0;
   EXPECT_TRUE(decided());
   report.load_at_end.contact_fraction = 0.99;
   EXPECT_FALSE(decided());
