@@ -25,39 +25,9 @@ Word in_file(const std::string &name, const std::string &column)
   return [=](Quantity &quantity) { quantity.name = name, quantity.column = column; };
 }
 
-Word in_column(const std::string &column)
-{
-  return [=](Quantity &quantity) { quantity.column = column; };
-}
-
-Word on_page(const std::string &heading)
-{
-  return [=](Quantity &quantity) { quantity.heading = heading; };
-}
-
-Word on_console(const std::string &label)
-{
-  return [=](Quantity &quantity) { quantity.label = label; };
-}
-
 Word shown_as(const std::string &word)
 {
   return [=](Quantity &quantity) { quantity.heading = quantity.label = word; };
-}
-
-Word with_digits(const std::string &digits)
-{
-  return [=](Quantity &quantity) { quantity.digits = digits; };
-}
-
-Word in_picture(const std::string &key)
-{
-  return [=](Quantity &quantity) { quantity.drawn = key; };
-}
-
-Word in_python(const std::string &key)
-{
-  return [=](Quantity &quantity) { quantity.array = key; };
 }
 
 Word in_bands(const std::string &name)
@@ -65,19 +35,9 @@ Word in_bands(const std::string &name)
   return [=](Quantity &quantity) { quantity.banded = name.empty() ? quantity.column : name; };
 }
 
-Word with_places(const std::vector<Quantity> &places)
-{
-  return [=](Quantity &quantity) { quantity.places = places; };
-}
-
 Word of_type(const Json &type)
 {
   return [=](Quantity &quantity) { quantity.type.update(type); };
-}
-
-Word with_number(const std::string &number)
-{
-  return [=](Quantity &quantity) { quantity.number = number; };
 }
 
 Word or_absent()

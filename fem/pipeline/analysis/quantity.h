@@ -69,34 +69,42 @@ struct Table
   std::size_t n_rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
 };
 
-// ---- words of a quantity, arguments of Field
+// ---- words of a quantity, arguments of Field: in_column("spin"), on_page("spin"), in_picture("omega"),
+// in_python("omega"), with_digits("+.3g"), ...
 
 using Word = std::function<void(Quantity &)>;
 
+/// Declares @p member of a quantity.
+template <auto member, typename Value = std::decay_t<decltype(std::declval<Quantity &>().*member)>>
+Word word_of(const Value &value)
+{
+  return [value](Quantity &quantity) { quantity.*member = value; };
+}
+
+/// Declares the description of a column of data files whose heading is the key.
+inline constexpr auto &in_column = word_of<&Quantity::column>;
+/// Declares the heading on the page.
+inline constexpr auto &on_page = word_of<&Quantity::heading>;
+/// Declares the label on the console.
+inline constexpr auto &on_console = word_of<&Quantity::label>;
+/// Declares the format of digits on page and console.
+inline constexpr auto &with_digits = word_of<&Quantity::digits>;
+/// Declares the key in pictures.
+inline constexpr auto &in_picture = word_of<&Quantity::drawn>;
+/// Declares the key in Python.
+inline constexpr auto &in_python = word_of<&Quantity::array>;
+/// Declares the columns of a list of fixed length.
+inline constexpr auto &with_places = word_of<&Quantity::places>;
+/// Declares the number in place of a * in the words.
+inline constexpr auto &with_number = word_of<&Quantity::number>;
 /// Declares heading and description of a column of data files.
 Word in_file(const std::string &name, const std::string &column);
-/// Declares a column of data files whose heading is the key.
-Word in_column(const std::string &column);
-/// Declares the heading on the page.
-Word on_page(const std::string &heading);
-/// Declares the label on the console.
-Word on_console(const std::string &label);
 /// Declares heading on the page and label on the console, which are equal.
 Word shown_as(const std::string &word);
-/// Declares the format of digits on page and console.
-Word with_digits(const std::string &digits);
-/// Declares the key in pictures.
-Word in_picture(const std::string &key);
-/// Declares the key in Python.
-Word in_python(const std::string &key);
 /// Declares the name of a quantity with an error band; empty: the description of its column, declared before.
 Word in_bands(const std::string &name = "");
-/// Declares the columns of a list of fixed length.
-Word with_places(const std::vector<Quantity> &places);
 /// Declares the JSON Schema of the values, in addition to the schema of their type.
 Word of_type(const Json &type);
-/// Declares the number in place of a * in the words.
-Word with_number(const std::string &number);
 /// Declares that a missing value has no key in summary.json, instead of null.
 Word or_absent();
 
