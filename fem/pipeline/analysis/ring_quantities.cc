@@ -214,9 +214,11 @@ const Fields<LoadReport> &load_fields()
   return fields;
 }
 
-std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
-                                       double scale)
+std::vector<Truncation> truncations_of(const SpinStudy &spin)
 {
+  const StudyRows &rows = spin.rows;
+  const ring::TorqueEffects &effects = spin.torque_effects;
+  const double scale = rows.by_harmonics.back().variant.study.spin_scale();
   std::vector<Truncation> list;
   for (const ring::TorqueEffect &effect : effects.rows)
   {

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/quantity.h"
+#include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/coupling/load_report.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
-#include "ring_model/spin/torque_effect.h"
 
 #include <array>
 #include <functional>
@@ -44,9 +43,8 @@ struct Truncation
   std::optional<double> spin_change; ///< relative to the spin of the first harmonic only
 };
 
-/// Returns the rows of @p effects with the answers @p rows. @p scale: Study::spin_scale().
-std::vector<Truncation> truncations_of(const StudyRows &rows, const ring::TorqueEffects &effects,
-                                       double scale);
+/// Returns the rows of SpinStudy::torque_effects with their answers.
+std::vector<Truncation> truncations_of(const SpinStudy &spin);
 
 /// Returns the @p rows whose neglected harmonics change tau_z by more than 1e-9 of the torque at rest, and
 /// the last row; values below rounding become 0.

@@ -69,11 +69,6 @@ Fields<BandedQuantity> band_fields(bool with_richardson)
   }.by([](const BandedQuantity &banded) { return banded.quantity.key; });
 }
 
-std::vector<Truncation> truncations_of(const StudyAnswer &answer)
-{
-  return truncations_of(answer.spin.rows, answer.spin.torque_effects, answer.study.spin_scale());
-}
-
 Fields<StudyAnswer> harmonics_fields()
 {
   using Answer = StudyAnswer;
@@ -88,14 +83,14 @@ Fields<StudyAnswer> harmonics_fields()
       torque_change_fields(),
       [](const Answer &answer)
       {
-        const std::vector<Truncation> rows = truncations_of(answer);
+        const std::vector<Truncation> rows = truncations_of(answer.spin);
         return rows.size() < 2 ? std::nullopt : std::optional(rows.back());
       } },
     { "truncation",
       "The answer by the number of harmonics. Torques are of one load, the complete study's, cut after n; "
       "each terminal spin is a balance of its own, and null if only those of the first and of all are "
       "solved.",
-      truncation_fields(), [](const Answer &answer) { return truncations_of(answer); } }
+      truncation_fields(), [](const Answer &answer) { return truncations_of(answer.spin); } }
   };
 }
 
@@ -103,7 +98,7 @@ void add_truncations(const StudyAnswer &answer, Results &results)
 {
   const ring::TorqueEffects &effects = answer.spin.torque_effects;
   results.add_table("truncations",
-                    truncation_fields().table(shown_truncations(truncations_of(answer)), Face::page));
+                    truncation_fields().table(shown_truncations(truncations_of(answer.spin)), Face::page));
   results.add_table("torque_changes",
                     torque_change_columns(effects).table(points_of(effects.spins.size()), Face::picture),
                     Face::picture);

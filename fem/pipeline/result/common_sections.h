@@ -15,9 +15,6 @@ namespace stemware::pipeline
 /// Returns "error_bands" of summary.json, by key; @p with_richardson: with the extrapolated value.
 Fields<BandedQuantity> band_fields(bool with_richardson);
 
-/// Returns the rows of "truncation" of summary.json.
-std::vector<Truncation> truncations_of(const StudyAnswer &answer);
-
 /// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
 Fields<StudyAnswer> harmonics_fields();
 

@@ -181,7 +181,7 @@ std::vector<ResultFile> run_files(const StudyAnswer &answer)
   add("spin_up.csv", "the spin against time",
       spin_up_columns(spin.spin_up).table(points_of(spin.spin_up.time.size()), Face::file));
   add("truncation.csv", "the answer with 1, 2, 3, 4, 6, 8 ... harmonics",
-      truncation_fields().table(truncations_of(answer), Face::file));
+      truncation_fields().table(truncations_of(answer.spin), Face::file));
   if (const auto &driven = spin.spin_up.driven)
     add("driven_spin_up.csv", "the spin against time under the speeds of the file",
         driven_columns(*driven).table(points_of(driven->time.size()), Face::file));

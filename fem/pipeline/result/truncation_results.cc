@@ -87,7 +87,7 @@ Results truncation_results(const StudyAnswer &answer)
   const auto &[study, goal, contact, spin, bands, budget, fields] = answer;
   const std::optional<double> omega = spin.answer().omega_terminal();
   const unsigned int n_enough = harmonics_enough(spin.rows, 1e-4);
-  const std::vector<Truncation> truncations = truncations_of(answer);
+  const std::vector<Truncation> truncations = truncations_of(spin);
   const HarmonicEffect effect = harmonic_effect(spin.rows);
   Results results = begun_results(study, "how many harmonics of the load matter");
   results.summary = truncate_fields().json(answer);
