@@ -24,10 +24,9 @@ void sort_by_azimuth(std::vector<fem::AzimuthValue> &pointwise)
 
 } // namespace
 
-BalancedLoad given_load(const ring::RingStack &load, unsigned int n_harmonics)
+BalancedLoad given_load(const ring::RingStack &load)
 {
-  const ring::Sample kept = load.truncated(n_harmonics);
-  return { ring::Load([kept](double) { return kept; }), report_of(load) };
+  return { ring::Load([load](double) -> ring::Sample { return { load }; }), report_of(load) };
 }
 
 LoadReport report_of(const ring::RingStack &load)

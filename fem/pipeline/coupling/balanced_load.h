@@ -46,8 +46,8 @@ private:
   std::shared_ptr<BalancedContact> contacts;
 };
 
-/// Returns the load @p load, truncated to @p n_harmonics, at every spin.
-BalancedLoad given_load(const ring::RingStack &load, unsigned int n_harmonics = all_harmonics);
+/// Returns the load @p load at every spin.
+BalancedLoad given_load(const ring::RingStack &load);
 
 /// Returns the report on a load without a contact; minimum and loaded azimuths come from its Fourier series.
 LoadReport report_of(const ring::RingStack &load);

@@ -215,7 +215,7 @@ BalancedLoad contact_load(const std::shared_ptr<ElasticFoot> &foot, unsigned int
                        : load_at_one_phase(foot, balance, state, progress);
 }
 
-BalancedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics)
+BalancedLoad load_from_file(const LoadSection &section)
 {
   const ring::RingStack &load = *section.from_file;
   const double ratio = load.moment_ratio(load.radius());
@@ -224,7 +224,7 @@ BalancedLoad load_from_file(const LoadSection &section, unsigned int n_harmonics
                                " has a moment ratio sqrt(a_1^2 + b_1^2) / a_0 of " + given +
                                ", but a ring tips at " + limit + "; give smaller a_1, b_1.";
   ensure(ratio < 2, sentence);
-  return given_load(load, n_harmonics);
+  return given_load(load);
 }
 
 } // namespace
@@ -267,7 +267,7 @@ BalancedLoad find_load(const Study &study, const std::shared_ptr<ElasticFoot> &f
       ring::RingStack::first_harmonic(demand.normal_force, { demand.moment_x, demand.moment_y }, radius));
   }
   case LoadSource::file:
-    return load_from_file(study.load, n_harmonics);
+    return load_from_file(study.load);
   }
   throw std::logic_error("a load source without a load");
 }
