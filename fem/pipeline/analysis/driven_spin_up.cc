@@ -15,9 +15,9 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the result of @p solve. If the glass tips, throws BadInput with the text that @p sentence returns.
-template <typename Solve, typename Sentence>
-auto unless_it_tips(const Solve &solve, const Sentence &sentence)
+/// Returns the result of @p solve. Throws BadInput with @p sentence if the glass tips.
+template <typename Solve>
+auto unless_it_tips(const Solve &solve, const std::string &sentence)
 {
   try
   {
@@ -25,7 +25,7 @@ auto unless_it_tips(const Solve &solve, const Sentence &sentence)
   }
   catch (const ring::Tipping &)
   {
-    throw BadInput(sentence());
+    throw BadInput(sentence);
   }
 }
 
@@ -47,15 +47,11 @@ ring::PhasedTorqueFunction driven_torque(const MotionSection &motion, double con
       BalancedContact contacts(foot, balance);
       return contacts.sample_of(contacts.contact(omega));
     };
-    const auto sentence = [&]
-    {
-      return filled(
-        "Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the glass "
-        "tips; give lower speeds, or more rows where the speed changes.",
-        { shortened_path(file), to_short_text(time), to_short_text(now.orbit_speed),
-          to_short_text(now.orbit_acceleration) });
-    };
-    return unless_it_tips(solve, sentence);
+    return unless_it_tips(
+      solve, filled("Motion/Orbit speed file = {}: at t = {} s, where v = {} m/s and dv/dt = {} m/s^2, the "
+                    "glass tips; give lower speeds, or more rows where the speed changes.",
+                    { shortened_path(file), to_short_text(time), to_short_text(now.orbit_speed),
+                      to_short_text(now.orbit_acceleration) }));
   };
   return ring::driven_torque(motion.orbit, speeds, load);
 }
@@ -67,17 +63,14 @@ ring::Breakaway find_breakaway(const MotionSection &motion, double contact_radiu
 {
   ring::Breakaway breakaway = ring::find_breakaway(motion.closure, motion.orbit, motion.breakaway_friction,
                                                    contact_radius, *motion.orbit_speeds);
-  const auto tipping_message = [&]
-  {
-    return filled("Motion/Orbit speed file = {}: the glass tips at t = {} s, before the hand's force reaches "
-                  "the {} N at which it slides; hold the glass lower, or reduce the friction.",
-                  { shortened_path(motion.orbit_speed_file), to_short_text(breakaway.time),
-                    to_short_text(breakaway.force) });
-  };
+  const std::string tipping_message =
+    filled("Motion/Orbit speed file = {}: the glass tips at t = {} s, before the hand's force reaches "
+           "the {} N at which it slides; hold the glass lower, or reduce the friction.",
+           { shortened_path(motion.orbit_speed_file), to_short_text(breakaway.time),
+             to_short_text(breakaway.force) });
   if (!foot)
   {
-    if (breakaway.moment_ratio >= 2)
-      throw BadInput(tipping_message());
+    ensure(breakaway.moment_ratio < 2, tipping_message);
     return breakaway;
   }
   ContactBalance balance = moment_balance(foot->specification().study);
