@@ -126,15 +126,14 @@ void require_different(const CaseList &list)
            list.origin + " varies " + entry.path + " twice; give all its values in one place.");
 }
 
-std::string unit_of_heading(const StudyEntry &entry, const std::string &name, const std::string &unit,
-                            const std::string &place)
+void require_unit(const StudyEntry &entry, const std::string &name, const std::string &unit,
+                  const std::string &place)
 {
   const bool is_plain = unit.empty() || entry.unit.empty();
   const std::string trouble = is_plain ? "" : unit_error("1 " + unit, entry.unit);
   ensure(trouble.empty() && (unit.empty() || !entry.unit.empty()),
          place + name + " (" + shortened(unit) + ")" +
            (trouble.empty() ? " is words; leave the unit out." : trouble));
-  return unit;
 }
 
 } // namespace
@@ -199,7 +198,8 @@ CaseList cases_from_file(const std::string &file)
     std::string place = position_in_table(list.origin, header.line, i);
     place.resize(place.size() - 2); // find_entry() adds the colon
     entries.push_back(find_entry(place, name));
-    units.push_back(unit_of_heading(entries.back(), name, unit, place + ": "));
+    require_unit(entries.back(), name, unit, place + ": ");
+    units.push_back(unit);
     list.entries.push_back({ entries.back().path(), entries.back().unit });
   }
   require_different(list);

@@ -190,7 +190,6 @@ StudyCurves find_curves(const std::vector<LoadedRow> &rows, const LoadedRow &pap
   const auto find_first = [&]
   {
     const auto &[variant, row, load, torques] = rows.front();
-    curves.n_first = row.harmonics;
     if (!load)
       return;
     const ring::Load curve =

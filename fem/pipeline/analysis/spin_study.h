@@ -66,7 +66,6 @@ struct StudyCurves
   TorqueCurve torque;
   SpinUpCurves spin_up;
   std::vector<ring::Torques> paper; ///< torques; empty if the paper's load failed
-  unsigned int n_first = 0;         ///< harmonics of the first row
 };
 
 /// Spin results of a study, with the curves of the first and of all harmonics.

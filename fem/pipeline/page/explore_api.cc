@@ -166,7 +166,7 @@ const char *explore_curves()
           torque.add({ "tau_paper", "N m", "",
                        [&](std::size_t i) { return curves->paper[i].friction.torque; },
                        in_picture("paper") });
-        add_curves(*curves, torque, spin_up_columns(curves->spin_up, curves->n_first), results);
+        add_curves(*curves, torque, spin_up_columns(curves->spin_up, curves->torque.n_first), results);
         add_motion(explorer.study().motion.orbit, explorer.study().glass.profile.contact_radius,
                    curves->spin_up.instants, results);
       }
