@@ -4,7 +4,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
-#include "fem/pipeline/coupling/solid_study_foot.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/revolution/meridian_meshes.h"
@@ -12,7 +11,6 @@
 
 #include <deal.II/grid/tria.h>
 
-#include <memory>
 #include <stdexcept>
 
 namespace stemware::pipeline
@@ -24,27 +22,19 @@ namespace
 std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification, fem::ComplianceCache &cache,
                                      [[maybe_unused]] const fem::Foot *similar)
 {
-  const BodyKind body = specification.study.contact.body;
-  prepare_body(body);
+  prepare_body(specification.study.contact.body);
   try
   {
-    switch (body)
-    {
-    case BodyKind::solid:
 #ifdef STEMWARE_HAS_SOLID
+    if (specification.study.contact.body == BodyKind::solid)
       return make_solid_foot(specification, similar);
-#else
-      break;
 #endif
-    case BodyKind::revolution:
-      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(specification), cache);
-    }
+    return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(specification), cache);
   }
   catch (const std::invalid_argument &error)
   {
     throw BadInput(with_entries(error.what()));
   }
-  throw std::logic_error("a body without a foot");
 }
 
 } // namespace

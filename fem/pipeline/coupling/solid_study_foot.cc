@@ -1,5 +1,4 @@
-#include "fem/pipeline/coupling/solid_study_foot.h"
-
+#include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/study_file.h"
