@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/budget.h"
 
-#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/variant.h"
 
 #include <algorithm>
 #include <cmath>

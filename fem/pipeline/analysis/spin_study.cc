@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/spin_study.h"
 
-#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/variant.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 #include "ring_model/spin/phase_loads.h"

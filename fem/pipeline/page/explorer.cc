@@ -1,6 +1,6 @@
 #include "fem/pipeline/page/explorer.h"
 
-#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/variant.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/coupling/study_load.h"

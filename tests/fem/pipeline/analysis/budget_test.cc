@@ -1,6 +1,6 @@
 #include "fem/pipeline/analysis/budget.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
+#include "fem/pipeline/analysis/variant.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/load/constants.h"

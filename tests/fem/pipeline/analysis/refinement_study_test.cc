@@ -1,7 +1,7 @@
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/error_bands.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/refinement_study.h"
+#include "fem/pipeline/analysis/variant.h"
 #include "fem/pipeline/coupling/make_foot.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "fem/pipeline/study/study_file.h"

@@ -1,8 +1,8 @@
 #include "fem/pipeline/analysis/error_bands.h"
-#include "fem/pipeline/analysis/model_variants.h"
 #include "fem/pipeline/analysis/solve.h"
 #include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
+#include "fem/pipeline/analysis/variant.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_study.h"
 

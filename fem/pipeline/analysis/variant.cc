@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/model_variants.h"
+#include "fem/pipeline/analysis/variant.h"
 
 #include <algorithm>
 #include <functional>
