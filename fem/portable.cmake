@@ -49,7 +49,6 @@ set(STEMWARE_PORTABLE
     fem/pipeline/coupling/contact_path.
     fem/pipeline/coupling/foot_specification.
     fem/pipeline/coupling/elastic_foot.
-    fem/pipeline/coupling/load_report.
     fem/pipeline/coupling/revolution_setup.
     fem/pipeline/coupling/study_load.
     fem/pipeline/analysis/budget.

@@ -2,7 +2,7 @@
 
 #include "fem/pipeline/analysis/quantity.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/load_report.h"
+#include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/study/study.h"
 #include "ring_model/spin/answer.h"
 

@@ -2,11 +2,11 @@
 
 #include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
-#include "fem/pipeline/coupling/load_report.h"
 #include "ring_model/moment_balance.h"
 #include "ring_model/motion.h"
 #include "ring_model/spin/sample.h"
 
+#include <cstddef>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -18,6 +18,13 @@ namespace stemware::pipeline
 
 /// Number of harmonics of a load without truncation.
 inline constexpr unsigned int all_harmonics = std::numeric_limits<unsigned int>::max();
+
+/// Statistics of a load that is in balance with friction at every spin.
+struct CouplingStatistics
+{
+  std::size_t n_balances = 0;          ///< spins with a balance of contact, friction and moments
+  std::size_t n_contact_solutions = 0; ///< contact solves for these balances
+};
 
 /// Moment balance of an elastic foot.
 struct ContactBalance

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "fem/contact/foot.h"
-#include "fem/pipeline/coupling/load_report.h"
+#include "fem/pipeline/coupling/balanced_load.h"
 
 #include <memory>
 #include <optional>
@@ -41,9 +41,6 @@ struct ContactReport
   std::optional<FootReport> foot;             ///< std::nullopt for a load without a contact
   std::optional<CouplingStatistics> coupling; ///< std::nullopt for a load independent of the spin
 };
-
-class BalancedLoad;
-class ElasticFoot;
 
 /// Returns the report on @p load, find_load() of @p foot (nullptr without a contact), at rest and at @p
 /// last_spin, the end of the spin-up [rad/s]. May solve the contact at @p last_spin. Throws as @p load.

@@ -2,7 +2,7 @@
 
 #include "fem/contact/foot.h"
 #include "fem/pipeline/analysis/spin_study.h"
-#include "fem/pipeline/coupling/load_report.h"
+#include "fem/pipeline/coupling/balanced_load.h"
 #include "fem/pipeline/result/results.h"
 
 #include <optional>
