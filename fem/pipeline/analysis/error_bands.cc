@@ -245,16 +245,6 @@ LoadsAtPhases changed_loads(const std::shared_ptr<ElasticFoot> &foot, const Load
            changed(own_loads.first, 1, probe.first.value_or(0)) };
 }
 
-/// Returns the evaluation of @p foot, the foot_of() @p change.
-Evaluation evaluate(const BandChange &change, const std::shared_ptr<ElasticFoot> &foot,
-                    const LoadsAtPhases &own_loads, const EvaluationPoints &probe)
-{
-  const bool is_costly = change.study.is_collective() || probe.phases.size() > 1;
-  return evaluate(is_costly && change.shared != Shared::contact ? changed_loads(foot, own_loads, probe)
-                                                                : loads_of(foot, probe),
-                  *foot, probe);
-}
-
 /// Returns the change of the quantity @p key from @p before to @p after. For terminal spin and torques, it is
 /// the largest change of torque at 0.5, 1 and 1.5 times the terminal spin, because errors of harmonics may
 /// cancel at one spin; NaN if a torque is missing. @p yaw_inertia [kg m^2]. Throws as quantity_of().
@@ -363,7 +353,12 @@ ErrorBands bands_of(const Analysis &analysis, const ring::Answer &all, const std
   changes.erase(with_rings, changes.end());
 
   const auto look_at = [&](const BandChange &change, const std::shared_ptr<ElasticFoot> &its_foot)
-  { return evaluate(change, its_foot, own_loads, probe); };
+  {
+    const bool is_costly = change.study.is_collective() || probe.phases.size() > 1;
+    return evaluate(is_costly && change.shared != Shared::contact ? changed_loads(its_foot, own_loads, probe)
+                                                                  : loads_of(its_foot, probe),
+                    *its_foot, probe);
+  };
   const auto done = [&, tell = counting_callback(analysis.executor.progress, "error bands", changes.size())](
                       std::size_t i, const Solved<Evaluation> &solved) mutable
   {

@@ -53,13 +53,6 @@ double slope_at(const BalancedLoad &load, const ring::Motion &motion, double ome
   return (yaw_torque(load, motion, omega + step) - yaw_torque(load, motion, omega - step)) / (2 * step);
 }
 
-void scale(fem::MeshError &error, double factor)
-{
-  error.correction *= factor;
-  for (double &share : error.cells)
-    share *= std::abs(factor);
-}
-
 /// Fraction of the total error that the halved cells contribute. Cells with the largest errors are halved
 /// first.
 constexpr double marked_share = 0.8;
@@ -80,11 +73,6 @@ GoalError error_of(const FootSpecification &specification, const Executor &execu
       "The error of Contact/Goal cannot be estimated in this study: the contact with the hard table is "
       "narrower than two of its cells; set Contact/Goal = none or Contact/Body = revolution.");
   return *found;
-}
-
-double sum_of_shares(const fem::MeshError &error)
-{
-  return std::accumulate(error.cells.begin(), error.cells.end(), 0.);
 }
 
 /// Throws if the next mesh for a goal exceeds the memory limit. @p before: error on the mesh before the last
@@ -130,7 +118,10 @@ std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad 
   if (goal == Goal::terminal_spin)
   {
     result.value = omega_terminal;
-    scale(result.error, -1 / slope_at(load, motion, omega));
+    const double per_torque = -1 / slope_at(load, motion, omega);
+    result.error.correction *= per_torque;
+    for (double &share : result.error.cells)
+      share *= std::abs(per_torque);
   }
   return result;
 }
@@ -147,8 +138,8 @@ GoalOutcome mesh_for_goal(const Study &study, const Executor &executor)
     const GoalError found = error_of({ study, meshed }, executor);
     const double allowed = study.contact.goal_tolerance * std::abs(found.value);
     executor.progress.pieces_done("meshes for the goal", n_meshes, 0);
-    if (std::abs(found.error.correction) <= allowed &&
-        sum_of_shares(found.error) <= allowed_cancelling * allowed)
+    const double sum_of_shares = std::accumulate(found.error.cells.begin(), found.error.cells.end(), 0.);
+    if (std::abs(found.error.correction) <= allowed && sum_of_shares <= allowed_cancelling * allowed)
     {
       const std::size_t n_cells = found.error.cells.size();
       executor.progress.note("Mesh",

@@ -14,12 +14,6 @@ namespace stemware::pipeline
 namespace
 {
 
-double half_range(const std::vector<double> &values)
-{
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return (*most - *least) / 2;
-}
-
 /// Returns the pointwise minimum [N/rad] of the contact at the spin @p omega [rad/s], solved at the phase at
 /// which the interpolated load is least.
 double least_load_over_phases(const std::shared_ptr<ElasticFoot> &foot, const ring::PhaseSampledLoad &loads,
@@ -65,7 +59,9 @@ PhaseStudy study_phases(const std::shared_ptr<ElasticFoot> &foot, const Balanced
     study.phases.push_back(loads.phases().phase(i));
   study.torque_at_rest = ring::torques_by_phase(loads, motion, 0);
   study.torque_at_terminal = ring::torques_by_phase(loads, motion, row.last_spin().value());
-  study.torque_ripple = half_range(study.torque_at_terminal);
+  const auto [least, most] =
+    std::minmax_element(study.torque_at_terminal.begin(), study.torque_at_terminal.end());
+  study.torque_ripple = (*most - *least) / 2;
   return study;
 }
 

@@ -18,13 +18,6 @@ namespace stemware::pipeline
 namespace
 {
 
-std::vector<unsigned int> row_orders(bool is_slow, unsigned int n_all, Depth depth)
-{
-  if ((is_slow || depth == Depth::answer) && n_all > 1)
-    return { 1, n_all };
-  return truncation_orders(n_all);
-}
-
 /// Returns the answer @p row as a row of @p variant, with the number of harmonics of the variant even if its
 /// load has fewer.
 LoadedRow loaded_row(const Variant &variant, ring::Answer row, const std::optional<ring::Load> &load = {})
@@ -150,7 +143,9 @@ StudyRows rows_by_harmonics(const Analysis &analysis, const ring::Load &load, De
 {
   const auto &[study, foot, executor] = analysis;
   const bool is_slow = study.load.is_in_balance() && (study.is_collective() || study.has_waviness());
-  const std::vector<unsigned int> orders = row_orders(is_slow, load.n_harmonics(), depth);
+  std::vector<unsigned int> orders = truncation_orders(load.n_harmonics());
+  if ((is_slow || depth == Depth::answer) && orders.size() > 2)
+    orders = { 1, load.n_harmonics() };
   ring::Question question = spin_question(study);
   question.with_slope = true;
   question.observer = motion_observer(executor.progress);

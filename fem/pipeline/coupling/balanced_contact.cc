@@ -82,13 +82,6 @@ fem::ContactState BalancedContact::contact_on_one_ring(double omega)
   }
 }
 
-fem::ContactState BalancedContact::solve_at(double omega)
-{
-  if (foot->ring_radii().empty())
-    return contact_on_one_ring(omega);
-  return solve(demand_at(omega, foot->ring_radii(), 0), omega);
-}
-
 fem::ContactState BalancedContact::contact(double omega)
 {
   // Cache capacity: enough for the spins around the terminal spin, and for the spins of an error band.
@@ -100,7 +93,9 @@ fem::ContactState BalancedContact::contact(double omega)
       return state;
   try
   {
-    latest.emplace_front(omega, solve_at(omega));
+    const std::vector<double> &radii = foot->ring_radii();
+    latest.emplace_front(omega, radii.empty() ? contact_on_one_ring(omega)
+                                              : solve(demand_at(omega, radii, 0), omega));
   }
   catch (const fem::ContactFailure &failure)
   {

@@ -67,7 +67,6 @@ private:
   fem::ContactState solve(const fem::ContactDemand &demand, double omega);
   /// Solves with the friction force of the single ring that has the contact's moment and first harmonic.
   fem::ContactState contact_on_one_ring(double omega);
-  fem::ContactState solve_at(double omega);
 
   const std::shared_ptr<ElasticFoot> foot;
   const ContactBalance balance;
