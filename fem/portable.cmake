@@ -54,7 +54,6 @@ set(STEMWARE_PORTABLE
     fem/pipeline/analysis/budget.
     fem/pipeline/analysis/budget_quantities.
     fem/pipeline/analysis/driven_spin_up.
-    fem/pipeline/analysis/executor.
     fem/pipeline/analysis/quantity.
     fem/pipeline/analysis/ring_quantities.
     fem/pipeline/analysis/solve.

@@ -1,12 +1,13 @@
 #pragma once
 
-#include "fem/pipeline/analysis/executor.h"
 #include "fem/pipeline/analysis/variant.h"
+#include "fem/pipeline/base/progress.h"
 #include "fem/pipeline/coupling/elastic_foot.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <numeric>
@@ -17,6 +18,41 @@
 
 namespace stemware::pipeline
 {
+
+/// Maker of the feet of variants, threads to solve them, and progress; no effect on results. One caller at a
+/// time.
+struct Executor
+{
+  using Work = std::function<void(std::size_t)>;
+
+  /// Creates an executor with one thread. @p progress must outlive the executor.
+  explicit Executor(FootMaker make_foot, Progress &progress = silent_progress())
+      : make_foot(std::move(make_foot))
+      , progress(progress)
+  {
+  }
+
+  /// Calls @p work(i) for every i < @p n, in parallel unless @p sequential, started in order; waits for all.
+  /// After an exception no further call starts, and the exception of the smallest i is rethrown. Parallel
+  /// loops within @p work may use idle threads.
+  void for_each(std::size_t n, const Work &work, bool sequential = false) const
+  {
+    if (run_in_parallel && !sequential)
+      return run_in_parallel(n, work);
+    for (std::size_t i = 0; i < n; ++i)
+      work(i);
+  }
+
+  FootMaker make_foot;
+  Progress &progress;
+  /// True if every failure affects its own variant only. On several ranks this holds for
+  /// is_variant_failure(), which occurs on all ranks; other failures end the work.
+  bool keeps_all_failures = true;
+
+protected:
+  /// for_each() on several threads; empty: one thread.
+  std::function<void(std::size_t n, const Work &work)> run_in_parallel;
+};
 
 /// Answer to a variant, or its failure.
 template <typename Answer>
@@ -70,10 +106,10 @@ inline auto counting_callback(Progress &progress, const std::string &pieces, std
   { progress.pieces_done(pieces, ++n_done, n_all); };
 }
 
-/// Calls @p question(variant, its foot) for each of @p variants (Variant or a derived type), in any order or in
-/// parallel; collective feet one after another. Initial guesses come from @p foot, never from another variant,
-/// so that answers depend on the list only. @p done(i, solved) is called after each, one at a time; its
-/// exceptions end the work.
+/// Calls @p question(variant, its foot) for each of @p variants (Variant or a derived type), in any order or
+/// in parallel; collective feet one after another. Initial guesses come from @p foot, never from another
+/// variant, so that answers depend on the list only. @p done(i, solved) is called after each, one at a time;
+/// its exceptions end the work.
 template <typename AnyVariant, typename Question, typename Done>
 auto solve(const std::vector<AnyVariant> &variants, const std::shared_ptr<ElasticFoot> &foot,
            const Question &question, const Executor &executor, Done done)
@@ -102,8 +138,8 @@ auto solve(const std::vector<AnyVariant> &variants, const std::shared_ptr<Elasti
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t one, std::size_t other)
                    { return cost_of(variants[one]) > cost_of(variants[other]); });
-  const bool is_collective = std::any_of(variants.begin(), variants.end(), [](const Variant &variant)
-                                         { return variant.study.is_collective(); });
+  const bool is_collective = std::any_of(
+    variants.begin(), variants.end(), [](const Variant &variant) { return variant.study.is_collective(); });
   executor.for_each(
     order.size(), [&](std::size_t i) { solve_one(order[i]); }, is_collective);
   return solved;

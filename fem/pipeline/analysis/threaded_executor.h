@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/pipeline/analysis/executor.h"
+#include "fem/pipeline/analysis/solve.h"
 #include "fem/revolution/compliance_cache.h"
 
 namespace stemware::pipeline
