@@ -1,5 +1,4 @@
-#include "fem/pipeline/analysis/case_list.h"
-
+#include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text_file.h"

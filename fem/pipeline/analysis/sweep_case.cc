@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/sweep_case.h"
 
 #include "fem/contact/contact_newton.h"
-#include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/goal_mesh.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/failures.h"

@@ -1,4 +1,3 @@
-#include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/app/console_progress.h"
 #include "fem/pipeline/app/options.h"

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fem/pipeline/analysis/case_list.h"
 #include "fem/pipeline/analysis/sweep_case.h"
 
 #include <filesystem>

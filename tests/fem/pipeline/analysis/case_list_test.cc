@@ -1,4 +1,4 @@
-#include "fem/pipeline/analysis/case_list.h"
+#include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/base/failures.h"
 #include "tests/fem/pipeline/matchers.h"
 #include "tests/fem/pipeline/program_runner.h"

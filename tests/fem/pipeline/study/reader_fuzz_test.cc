@@ -2,7 +2,7 @@
 // another library. The seed is fixed, so failures are reproducible. The preset `sanitize` adds the address
 // sanitizer.
 #include "fem/geometry/foot_mesh.h"
-#include "fem/pipeline/analysis/case_list.h"
+#include "fem/pipeline/analysis/sweep_case.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/usable_mesh.h"
 #include "fem/pipeline/study/data_files.h"
