@@ -1,5 +1,4 @@
-#include "fem/pipeline/coupling/contact_path.h"
-
+#include "fem/pipeline/coupling/elastic_foot.h"
 #include "ring_model/load/lagrange.h"
 
 #include <algorithm>
