@@ -62,36 +62,6 @@ void add_coarse_cells(const GlassProfile &profile, const MeridianResolution &res
   cells.coarse.push_back(outer);
 }
 
-struct HalvedCell
-{
-  double begin = 0;
-  double end = 0;
-  unsigned int n_halvings = 0;
-};
-
-using HalvedCells = std::vector<HalvedCell>;
-
-template <typename Predicate>
-bool halve(HalvedCells &cells, const Predicate &is_too_large)
-{
-  HalvedCells result;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-  {
-    const HalvedCell &cell = cells[i];
-    if (!is_too_large(i))
-    {
-      result.push_back(cell);
-      continue;
-    }
-    const double middle = (cell.begin + cell.end) / 2;
-    result.push_back({ cell.begin, middle, cell.n_halvings + 1 });
-    result.push_back({ middle, cell.end, cell.n_halvings + 1 });
-  }
-  const bool is_any_halved = result.size() > cells.size();
-  cells = std::move(result);
-  return is_any_halved;
-}
-
 ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution &resolution)
 {
   const double focus = resolution.focus_radius > 0 ? resolution.focus_radius : profile.contact_radius;
@@ -105,31 +75,34 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
   result.focus_end = focus + resolution.focus_width;
   add_coarse_cells(profile, resolution, focus, result);
 
-  HalvedCells cells;
-  for (std::size_t i = 1; i < result.coarse.size(); ++i)
-    cells.push_back({ result.coarse[i - 1], result.coarse[i], 0 });
+  std::vector<double> &borders = result.borders;
+  std::vector<unsigned int> &n_halvings = result.n_halvings;
+  borders = result.coarse;
+  n_halvings.assign(borders.size() - 1, 0);
   const double largest = profile.land_width / resolution.land_cells;
-  const auto allowed_size = [&](const HalvedCell &cell)
-  {
-    const double distance = std::max({ cell.begin - result.focus_end, result.focus_begin - cell.end, 0. });
-    return std::min(largest, resolution.size_at(distance));
-  };
   const auto is_too_large = [&](std::size_t i)
   {
-    const auto is_finer = [&](std::size_t j) { return cells[j].n_halvings > cells[i].n_halvings + 1; };
-    return cells[i].end - cells[i].begin > allowed_size(cells[i]) * (1 + rounding) ||
-           (i > 0 && is_finer(i - 1)) || (i + 1 < cells.size() && is_finer(i + 1));
+    const double distance =
+      std::max({ borders[i] - result.focus_end, result.focus_begin - borders[i + 1], 0. });
+    const auto is_finer = [&](std::size_t j) { return n_halvings[j] > n_halvings[i] + 1; };
+    return borders[i + 1] - borders[i] > std::min(largest, resolution.size_at(distance)) * (1 + rounding) ||
+           (i > 0 && is_finer(i - 1)) || (i + 1 < n_halvings.size() && is_finer(i + 1));
   };
-  while (halve(cells, is_too_large))
-    require(cells.size() <= max_cells, "Contact cells of ", resolution.focus_size, " m within ",
+  for (std::size_t i = 0; i < n_halvings.size();)
+  {
+    if (!is_too_large(i))
+    {
+      ++i;
+      continue;
+    }
+    const auto place = static_cast<std::ptrdiff_t>(i);
+    borders.insert(borders.begin() + place + 1, (borders[i] + borders[i + 1]) / 2);
+    n_halvings.insert(n_halvings.begin() + place, ++n_halvings[i]);
+    require(n_halvings.size() <= max_cells, "Contact cells of ", resolution.focus_size, " m within ",
             resolution.focus_width, " m of their focus are more than ", max_cells,
             "; ask for larger ones or a narrower band.");
-  for (const HalvedCell &cell : cells)
-  {
-    result.borders.push_back(cell.begin);
-    result.n_halvings.push_back(cell.n_halvings);
+    i -= i > 0; // the cell inside may now be too large
   }
-  result.borders.push_back(cells.back().end);
   return result;
 }
 
