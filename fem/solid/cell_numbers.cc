@@ -49,17 +49,11 @@ CellNumbers::CellNumbers(const Triangulation<3> &mesh)
 
 std::size_t CellNumbers::operator()(const CellId &id) const
 {
-  const auto children = id.get_child_indices();
-  std::vector<std::uint8_t> ancestors(children.begin(), children.end());
-  for (;; ancestors.pop_back())
-  {
-    const CellId ancestor(id.get_coarse_cell_id(), ancestors);
-    const auto place = std::lower_bound(cells.begin(), cells.end(), ancestor);
-    if (place != cells.end() && *place == ancestor)
-      return static_cast<std::size_t>(place - cells.begin());
-    if (ancestors.empty())
-      throw std::logic_error("a cell that is no part of the mesh whose cells are numbered");
-  }
+  // The order of ids is lexicographic, so no active cell lies between an id and its active ancestor.
+  const auto next = std::upper_bound(cells.begin(), cells.end(), id);
+  if (next == cells.begin() || !(*(next - 1) == id || (next - 1)->is_ancestor_of(id)))
+    throw std::logic_error("a cell that is no part of the mesh whose cells are numbered");
+  return static_cast<std::size_t>(next - cells.begin()) - 1;
 }
 
 std::vector<std::vector<std::size_t>> CellNumbers::rings() const

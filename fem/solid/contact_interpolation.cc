@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <optional>
 
 namespace stemware::fem
 {
@@ -69,18 +68,6 @@ std::map<BinaryId, std::vector<Row>> shares_at_contact_nodes(const SolidLevel &e
   return all;
 }
 
-/// Returns the parent of a cell and the cell's child number; std::nullopt for a cell of the coarsest mesh.
-std::optional<std::pair<BinaryId, unsigned int>> parent_of(const CellId &id)
-{
-  const auto children = id.get_child_indices();
-  if (children.size() == 0)
-    return std::nullopt;
-  std::vector<std::uint8_t> ancestors(children.begin(), children.end());
-  const unsigned int child = ancestors.back();
-  ancestors.pop_back();
-  return std::pair(CellId(id.get_coarse_cell_id(), ancestors).to_binary<3>(), child);
-}
-
 /// Returns the rows of this rank's contact nodes of @p fine over the dofs of @p coarse, by the fine dof.
 std::vector<std::pair<global_dof_index, Row>> owned_rows(const SolidLevel &coarse, const SolidLevel &fine,
                                                          const ContactNodes &fine_nodes)
@@ -97,11 +84,11 @@ std::vector<std::pair<global_dof_index, Row>> owned_rows(const SolidLevel &coars
       continue;
     const CellId id = cell->id();
     const auto same = coarse_cells.find(id.to_binary<3>());
-    const auto parent = parent_of(id);
-    const auto place = same == coarse_cells.end() && parent ? coarse_cells.find(parent->first) : same;
-    if (place ==
-        coarse_cells.end()) // the cell at most touches the zone; a neighbour in the zone gives the rows
-      continue;
+    const auto place = same == coarse_cells.end() && cell->level() > 0
+                         ? coarse_cells.find(cell->parent()->id().to_binary<3>())
+                         : same;
+    if (place == coarse_cells.end())
+      continue; // the cell at most touches the zone; a neighbour in the zone gives the rows
     cell->get_dof_indices(dofs);
     for (unsigned int i = 0; i < dofs.size(); ++i)
     {
@@ -109,7 +96,9 @@ std::vector<std::pair<global_dof_index, Row>> owned_rows(const SolidLevel &coars
       if (node >= rows.size() || !rows[node].second.empty()) // neighbouring cells give the same row
         continue;
       const Point<3> point =
-        place == same ? points[i] : GeometryInfo<3>::child_to_cell_coordinates(points[i], parent->second);
+        place == same
+          ? points[i]
+          : GeometryInfo<3>::child_to_cell_coordinates(points[i], *(id.get_child_indices().end() - 1));
       std::map<global_dof_index, double> values;
       for (unsigned int shape = 0; shape < place->second.size(); ++shape)
         for (const auto &[dof, weight] : place->second[shape])
