@@ -88,8 +88,6 @@ public:
 
 private:
   struct Border;
-  struct ProjectedOperator;
-  struct ProjectedPreconditioner;
   struct SymmetricStep;
 
   bool has_friction() const { return sliding.friction_coefficient != 0; }

@@ -86,17 +86,27 @@ constexpr StepNumbers tuned = {};
 
 using BodyVector = BodyStiffness::Vector;
 
+/// Matrix of deal.II's solvers whose product with a vector is @p function(dst, src).
+template <typename Function>
+struct Multiplying
+{
+  const Function &function;
+  void vmult(BodyVector &dst, const BodyVector &src) const { function(dst, src); }
+};
+
 /// Solves by conjugate gradients from the initial guess @p solution until the residual is at most @p target.
-/// Returns the number of iterations. Throws ContactFailure after @p max_iterations. Collective.
+/// Operators are functions (dst, src). Returns the number of iterations. Throws ContactFailure after @p
+/// max_iterations. Collective.
 template <typename Operator, typename Preconditioner>
-unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &preconditioner,
+unsigned int conjugate_gradients(const Operator &multiply, const Preconditioner &precondition,
                                  const BodyVector &rhs, double target, BodyVector &solution,
                                  unsigned int max_iterations = tuned.max_iterations)
 {
   SolverControl control(max_iterations, target, false, false);
   try
   {
-    SolverCG<BodyVector>(control).solve(matrix, solution, rhs, preconditioner);
+    SolverCG<BodyVector>(control).solve(Multiplying<Operator>{ multiply }, solution, rhs,
+                                        Multiplying<Preconditioner>{ precondition });
   }
   catch (const SolverControl::NoConvergence &failure)
   {
@@ -109,24 +119,6 @@ unsigned int conjugate_gradients(const Operator &matrix, const Preconditioner &p
   return control.last_step();
 }
 
-/// Stiffness of the body with the contact, K + B' T B.
-struct TangentOperator
-{
-  const BodyStiffness &elastic;
-  const ContactStiffness &contact;
-  void vmult(BodyVector &dst, const BodyVector &src) const
-  {
-    elastic.vmult(dst, src);
-    contact.vmult_add(dst, src);
-  }
-};
-
-struct TangentPreconditioner
-{
-  const BodyStiffness &elastic;
-  void vmult(BodyVector &dst, const BodyVector &src) const { elastic.precondition(dst, src); }
-};
-
 } // namespace
 
 /// Columns and corner that the table motions add to the system of one Newton step.
@@ -138,48 +130,6 @@ struct SolidBody::Border
   /// Inverse of the Schur complement C - G' W - W' G + W' (K + B' T B) W, where W approximates
   /// (K + B' T B)^-1 G. The Schur complement is positive definite for any W.
   Eigen::Matrix3d inverse_schur;
-};
-
-/// Operator K + B' T B - G C^-1 G', from which the table motions are eliminated.
-struct SolidBody::ProjectedOperator
-{
-  const SolidBody &body;
-  const Border &border;
-
-  void vmult(Vector &dst, const Vector &src) const
-  {
-    body.stiffness->vmult(dst, src);
-    const ContactNodes &nodes = body.contact.nodes();
-    const Eigen::VectorXd nodal = nodes.gather(src);
-    const Eigen::Vector3d motion =
-      border.inverse_corner * nodes.parts().sum(border.columns.transpose() * nodal);
-    nodes.scatter_add(body.contact.matrix() * nodal - border.columns * motion, dst);
-  }
-};
-
-/// Approximate inverse of K + B' T B, plus W S^-1 W' with the Schur complement S of Border::inverse_schur.
-struct SolidBody::ProjectedPreconditioner
-{
-  const SolidBody &body;
-  const Border &border;
-
-  void vmult(Vector &dst, const Vector &src) const
-  {
-    body.stiffness->precondition(dst, src);
-    if (!body.border_matters)
-      return;
-    const auto &w = body.eliminated_border;
-    double products[3] = {};
-    for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
-      for (unsigned int k = 0; k < 3; ++k)
-        products[k] += double(w[k].local_element(i)) * src.local_element(i);
-    Utilities::MPI::sum(products, src.get_mpi_communicator(), products);
-    const Eigen::Vector3d motion =
-      border.inverse_schur * Eigen::Vector3d(products[0], products[1], products[2]);
-    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
-      for (unsigned int k = 0; k < 3; ++k)
-        dst.local_element(i) += motion(k) * double(w[k].local_element(i));
-  }
 };
 
 /// Linear system of one Newton step without the unsymmetric terms of friction.
@@ -205,6 +155,37 @@ struct SolidBody::SymmetricStep
     return body.contact.matrix() * (increment.displacement + motions.modes * increment.motion);
   }
 
+  /// Multiplies by K + B' T B - G C^-1 G', from which the table motions are eliminated.
+  void multiply(Vector &dst, const Vector &src) const
+  {
+    body.stiffness->vmult(dst, src);
+    const ContactNodes &nodes = body.contact.nodes();
+    const Eigen::VectorXd nodal = nodes.gather(src);
+    const Eigen::Vector3d motion =
+      border.inverse_corner * nodes.parts().sum(border.columns.transpose() * nodal);
+    nodes.scatter_add(body.contact.matrix() * nodal - border.columns * motion, dst);
+  }
+
+  /// Multiplies by an approximate inverse of K + B' T B, plus W S^-1 W' with the Schur complement S of
+  /// Border::inverse_schur.
+  void precondition(Vector &dst, const Vector &src) const
+  {
+    body.stiffness->precondition(dst, src);
+    if (!body.border_matters)
+      return;
+    const auto &w = body.eliminated_border;
+    double products[3] = {};
+    for (unsigned int i = 0; i < src.locally_owned_size(); ++i)
+      for (unsigned int k = 0; k < 3; ++k)
+        products[k] += double(w[k].local_element(i)) * src.local_element(i);
+    Utilities::MPI::sum(products, src.get_mpi_communicator(), products);
+    const Eigen::Vector3d motion =
+      border.inverse_schur * Eigen::Vector3d(products[0], products[1], products[2]);
+    for (unsigned int i = 0; i < dst.locally_owned_size(); ++i)
+      for (unsigned int k = 0; k < 3; ++k)
+        dst.local_element(i) += motion(k) * double(w[k].local_element(i));
+  }
+
   /// Returns the increment for the projected residual @p rhs, solved to the residual @p target.
   SolidIncrement solve(const Vector &rhs, const Eigen::Vector3d &missing, double target) const
   {
@@ -212,9 +193,9 @@ struct SolidBody::SymmetricStep
     SolidIncrement solution;
     body.stiffness->initialize(solution.body);
     if (rhs.l2_norm() > target)
-      solution.n_iterations =
-        conjugate_gradients(ProjectedOperator{ body, border }, ProjectedPreconditioner{ body, border }, rhs,
-                            target, solution.body);
+      solution.n_iterations = conjugate_gradients(
+        [this](Vector &dst, const Vector &src) { multiply(dst, src); },
+        [this](Vector &dst, const Vector &src) { precondition(dst, src); }, rhs, target, solution.body);
     solution.displacement = nodes.gather(solution.body);
     solution.motion = border.inverse_corner *
                       (missing - nodes.parts().sum(border.columns.transpose() * solution.displacement));
@@ -266,12 +247,12 @@ SolidBody::Vector SolidBody::solve_symmetric(const Eigen::SparseMatrix<double> &
 
 void SolidBody::set_forces(const Eigen::VectorXd &forces)
 {
-  contact.set(Eigen::SparseMatrix<double>(zone.surface.n_nodes(), zone.surface.n_nodes()));
-  stiffness->set_contact(contact.matrix());
+  stiffness->set_contact(Eigen::SparseMatrix<double>(zone.surface.n_nodes(), zone.surface.n_nodes()));
   const Vector load = contact_load(forces);
   Vector found;
   stiffness->initialize(found);
-  conjugate_gradients(TangentOperator{ *stiffness, contact }, TangentPreconditioner{ *stiffness }, load,
+  conjugate_gradients([this](Vector &dst, const Vector &src) { stiffness->vmult(dst, src); },
+                      [this](Vector &dst, const Vector &src) { stiffness->precondition(dst, src); }, load,
                       tuned.unbalanced_share * load.l2_norm(), found, tuned.max_iterations_of_forces);
   set_displacement(found);
 }
@@ -289,8 +270,12 @@ SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double t
       table_stiffness < tuned.much_stiffer * border_stiffness)
     return border;
 
-  const TangentOperator tangent{ *stiffness, contact };
-  const TangentPreconditioner preconditioner{ *stiffness };
+  const auto multiply = [this](Vector &dst, const Vector &src) // by K + B' T B
+  {
+    stiffness->vmult(dst, src);
+    contact.vmult_add(dst, src);
+  };
+  const auto precondition = [this](Vector &dst, const Vector &src) { stiffness->precondition(dst, src); };
   Vector column, image, residual, correction;
   for (Vector *vector : { &column, &image, &residual, &correction })
     stiffness->initialize(*vector);
@@ -299,7 +284,7 @@ SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double t
   for (unsigned int i = 0; i < 3; ++i)
   {
     column.copy_locally_owned_data_from(eliminated_border[i]);
-    tangent.vmult(image, column);
+    multiply(image, column);
     residual = 0;
     contact.nodes().scatter_add(border.columns.col(i), residual);
     const double target = tolerance * residual.l2_norm();
@@ -307,10 +292,10 @@ SolidBody::Border SolidBody::make_border(const Eigen::MatrixX3d &modes, double t
     if (residual.l2_norm() > target)
     {
       correction = 0;
-      conjugate_gradients(tangent, preconditioner, residual, target, correction);
+      conjugate_gradients(multiply, precondition, residual, target, correction);
       column += correction;
       eliminated_border[i].copy_locally_owned_data_from(column);
-      tangent.vmult(image, column);
+      multiply(image, column);
     }
     images[i].reinit(image, true);
     images[i].copy_locally_owned_data_from(image);
