@@ -262,10 +262,10 @@ void average_over_rings(const CellNumbers &numbers, std::vector<double> &values)
 double change_of_goal(const SolvedSolidContact &contact, const ContactGoal &goal, const TableLaw &law,
                       const ContactSolution &solution)
 {
-  const ContactLoad load = extract_load(law, solution, contact.load.n_harmonics(), goal.ring_radii);
-  return goal.of_load(load) - goal.of_load(contact.load) +
-         goal.of_moment.dot(load.moment() - contact.load.moment()) +
-         goal.of_motion.dot(solution.motion - contact.solution.motion);
+  const ContactLoad load = extract_load(law, solution, contact.state.load.n_harmonics(), goal.ring_radii);
+  return goal.of_load(load) - goal.of_load(contact.state.load) +
+         goal.of_moment.dot(load.moment() - contact.state.load.moment()) +
+         goal.of_motion.dot(solution.motion - contact.state.solution.motion);
 }
 
 /// Returns the derivative of @p goal with respect to the nodal forces.
@@ -284,7 +284,7 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
   std::vector<LevelElements> elements = levels_of(dofs.get_triangulation(), degree);
   const auto own = static_cast<unsigned int>(elements.size() - 1);
   for (const auto &mesh :
-       enriched_meshes(dofs.get_triangulation(), contact.inner_radius, contact.outer_radius))
+       enriched_meshes(dofs.get_triangulation(), contact.state.inner_radius, contact.state.outer_radius))
     elements.push_back({ mesh, degree });
   elements.push_back({ elements.back().mesh, degree + 1 });
   const ElasticMaterial &glass = contact.body.glass();
@@ -309,11 +309,12 @@ MeshError estimate_mesh_error(const SolvedSolidContact &contact, const ContactGo
     return found.equilibrium_residual <= left_unbalanced &&
            std::abs(error.correction - before) <= last_change * std::abs(error.correction);
   };
-  const ContactStart start = { contact.solution.motion, body.contact_displacement() +
-                                                          surface.motion_modes() * contact.solution.motion };
+  const ContactStart start = { contact.state.solution.motion,
+                               body.contact_displacement() +
+                                 surface.motion_modes() * contact.state.solution.motion };
   const double radius = surface.parts.max_entry(surface.node_position.rowwise().norm());
   const ContactSolution solution =
-    solve_contact(body, *law, conditions_of(surface, contact.demand), radius, control, &start);
+    solve_contact(body, *law, conditions_of(surface, contact.state.demand), radius, control, &start);
   if (!with_cells)
     return error;
 

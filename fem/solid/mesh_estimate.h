@@ -15,11 +15,7 @@ struct SolvedSolidContact
   const InterfaceLaw &interface;
   SolidGap gap;
   SlidingTraction sliding;
-  ContactDemand demand = {};
-  ContactSolution solution = {};
-  ContactLoad load = {}; ///< load on the rings of the goal
-  double inner_radius = 0;
-  double outer_radius = 0;
+  ContactState state;          ///< its load is on the rings of the goal
   bool straight_edges = false; ///< SolidOptions::straight_edges
 };
 

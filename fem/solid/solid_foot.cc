@@ -194,7 +194,7 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
       progress(iteration);
   };
   const double axis = axis_of(slip);
-  state.solution = press(axis == 0 ? demand : demand.in_rotated_axes(axis), slip, guess.previous, control);
+  state.solution = press(demand.in_rotated_axes(axis), slip, guess.previous, control);
   if (!condensed)
     state.body = std::make_shared<const std::string>(body->state());
   state.solution.motion.tail<2>() = Eigen::Rotation2Dd(axis) * state.solution.motion.tail<2>();
@@ -203,18 +203,10 @@ ContactState SolidFoot::solve(const ContactDemand &demand, const ring::Slip &sli
   return state;
 }
 
-void SolidFoot::restore(const ContactState &state) const
-{
-  if (condensed)
-    condensed->set_forces(state.solution.forces);
-  else
-    body->set_state(*state.body);
-}
-
 void SolidFoot::restore_displacement(const ContactState &state) const
 {
   if (!condensed)
-    return restore(state);
+    return body->set_state(*state.body);
   body->set_sliding(sliding_at(state.slip));
   body->set_forces(state.solution.forces);
 }
@@ -268,7 +260,10 @@ ContactSolution SolidFoot::press(const ContactDemand &demand, const ring::Slip &
   if (before)
     try
     {
-      restore(*before);
+      if (condensed)
+        condensed->set_forces(before->solution.forces);
+      else
+        body->set_state(*before->body);
       law->set_multipliers(before->solution.forces);
       const ContactSolution nearby = in_mesh_axes(*before);
       const ContactStart start = { nearby.motion, nearby.normal_displacement };
@@ -334,17 +329,18 @@ std::optional<MeshError> SolidFoot::mesh_error(const ContactState &state, const 
   restore_displacement(state);
   const double axis = axis_of(state.slip);
   const Eigen::Rotation2Dd back(-axis);
-  SolvedSolidContact contact = { *body, *interface, gap_of(mesh, setup.profile), sliding_at(state.slip) };
-  contact.demand = axis == 0 ? state.demand : state.demand.in_rotated_axes(axis);
-  contact.solution = in_mesh_axes(state);
-  contact.load =
+  SolvedSolidContact contact = { *body,
+                                 *interface,
+                                 gap_of(mesh, setup.profile),
+                                 sliding_at(state.slip),
+                                 state,
+                                 setup.options.straight_edges };
+  contact.state.demand = state.demand.in_rotated_axes(axis);
+  contact.state.solution = in_mesh_axes(state);
+  contact.state.load =
     extract_load(*law, state.solution, kept_harmonics(state.demand.n_harmonics), goal.ring_radii);
-  contact.inner_radius = state.inner_radius;
-  contact.outer_radius = state.outer_radius;
-  contact.straight_edges = setup.options.straight_edges;
   ContactGoal in_mesh_axes = goal;
-  if (axis != 0)
-    in_mesh_axes.of_load = goal.of_load.of_rotated(axis);
+  in_mesh_axes.of_load = goal.of_load.of_rotated(axis);
   in_mesh_axes.of_moment = back * goal.of_moment;
   in_mesh_axes.of_motion.tail<2>() = back * goal.of_motion.tail<2>();
   return estimate_mesh_error(contact, in_mesh_axes, with_cells);

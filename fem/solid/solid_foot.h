@@ -91,8 +91,6 @@ public:
 
 private:
   SlidingTraction sliding_at(const ring::Slip &slip) const;
-  /// Sets the body whose contacts are solved (`condensed` or `body`) to the displacement of @p state.
-  void restore(const ContactState &state) const;
   /// Sets `body` to the displacement of @p state.
   void restore_displacement(const ContactState &state) const;
   /// Returns the contact of @p state in the axes of the mesh.
