@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace stemware::fem
 {
@@ -160,22 +161,16 @@ void check_stem(const Triangulation<3> &triangulation, MeshCheck &check)
 
 unsigned int n_contact_zones(const Triangulation<3> &triangulation)
 {
-  std::vector<std::array<unsigned int, 4>> faces;
+  boost::disjoint_sets_with_storage<> sets(triangulation.n_raw_lines());
+  std::set<unsigned int> edges;
   for (const auto &face : triangulation.active_face_iterators())
     if (is_on(face, FootBoundary::contact_zone))
-      faces.push_back({ face->line_index(0), face->line_index(1), face->line_index(2), face->line_index(3) });
-  boost::disjoint_sets_with_storage<> sets(faces.size());
-  std::map<unsigned int, std::size_t> face_of_edge;
-  std::size_t n = faces.size();
-  for (std::size_t i = 0; i < faces.size(); ++i)
-    for (const unsigned int edge : faces[i])
-      if (const std::size_t other = face_of_edge.emplace(edge, i).first->second;
-          sets.find_set(i) != sets.find_set(other))
+      for (unsigned int l = 0; l < 4; ++l)
       {
-        sets.union_set(i, other);
-        --n;
+        edges.insert(face->line_index(l));
+        sets.union_set(face->line_index(0), face->line_index(l));
       }
-  return static_cast<unsigned int>(n);
+  return static_cast<unsigned int>(sets.count_sets(edges.begin(), edges.end()));
 }
 
 } // namespace
