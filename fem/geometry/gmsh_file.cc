@@ -30,13 +30,6 @@ std::optional<Number> whole_word(std::string_view word)
   return value;
 }
 
-[[noreturn]] void refuse_word(std::string_view word)
-{
-  if (word.empty())
-    throw UnreadableMesh("ends too early; export the mesh anew.");
-  throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
-}
-
 class Tokenizer
 {
 public:
@@ -66,35 +59,12 @@ private:
     const std::string_view word = next();
     if (const auto value = whole_word<Number>(word))
       return *value;
-    refuse_word(word);
+    if (word.empty())
+      throw UnreadableMesh("ends too early; export the mesh anew.");
+    throw UnreadableMesh("has \"" + printable(word, 20) + "\" where a number belongs; export the mesh anew.");
   }
 
   std::string_view rest;
-};
-
-class NumberedPoints
-{
-public:
-  void add(long number, const std::array<double, 3> &point)
-  {
-    if (!index.emplace(number, static_cast<unsigned int>(points.size())).second)
-      throw UnreadableMesh("has two nodes of the number " + std::to_string(number) + "; export one part.");
-    points.push_back(point);
-  }
-
-  unsigned int at(long number) const
-  {
-    const auto found = index.find(number);
-    if (found == index.end())
-      throw UnreadableMesh("has an element at node " + std::to_string(number) +
-                           ", which it does not have; export the mesh anew.");
-    return found->second;
-  }
-
-  std::vector<std::array<double, 3>> points;
-
-private:
-  std::unordered_map<long, unsigned int> index;
 };
 
 constexpr char advice[] =
@@ -165,7 +135,6 @@ public:
       read_surfaces();
     read_nodes();
     read_elements();
-    content.points = std::move(points.points);
     return std::move(content);
   }
 
@@ -236,14 +205,6 @@ private:
       }
   }
 
-  std::array<double, 3> point(Tokenizer &words) const
-  {
-    std::array<double, 3> x;
-    for (double &coordinate : x)
-      coordinate = words.number();
-    return x;
-  }
-
   /// Header of a block of nodes or elements. Format 4 has one block per entity, format 2 a single block.
   struct Block
   {
@@ -291,7 +252,11 @@ private:
       for (long i = 0; i < block.size; ++i)
       {
         const long number = numbers.empty() ? words.whole_number() : numbers[static_cast<std::size_t>(i)];
-        points.add(number, point(words));
+        for (double &coordinate : content.points.emplace_back())
+          coordinate = words.number();
+        if (!index.emplace(number, static_cast<unsigned int>(index.size())).second)
+          throw UnreadableMesh("has two nodes of the number " + std::to_string(number) +
+                               "; export one part.");
         for (long k = 0; k < block.dimension && block.kind != 0; ++k)
           words.number();
         if (have_parameters)
@@ -332,6 +297,15 @@ private:
     return id;
   }
 
+  unsigned int point_of(long number) const
+  {
+    const auto found = index.find(number);
+    if (found == index.end())
+      throw UnreadableMesh("has an element at node " + std::to_string(number) +
+                           ", which it does not have; export the mesh anew.");
+    return found->second;
+  }
+
   void add_element(const ElementType &type, long id, Tokenizer &words)
   {
     nodes.clear();
@@ -342,7 +316,7 @@ private:
       content.is_second_order = content.is_second_order || type.n_nodes > type.n_corners;
       content.hexahedra.emplace_back();
       for (unsigned int k = 0; k < 8; ++k)
-        content.hexahedra.back()[k] = points.at(nodes[k]);
+        content.hexahedra.back()[k] = point_of(nodes[k]);
     }
     else if (type.n_corners == 4 && id != 0)
     {
@@ -352,14 +326,14 @@ private:
       MarkedFace &face = content.faces.emplace_back();
       face.id = static_cast<unsigned int>(id);
       for (unsigned int k = 0; k < 4; ++k)
-        face.corners[k] = points.at(nodes[k]);
+        face.corners[k] = point_of(nodes[k]);
     }
   }
 
   std::map<std::string, std::string_view> sections;
   bool is_format_4 = false, is_format_4_0 = false;
-  std::map<long, long> physical_id; ///< physical id of each surface, by the surface's number
-  NumberedPoints points;
+  std::map<long, long> physical_id;             ///< physical id of each surface, by the surface's number
+  std::unordered_map<long, unsigned int> index; ///< index of each point, by the number of its node
   MeshContent content;
   std::vector<long> nodes; ///< nodes of the current element
 };
