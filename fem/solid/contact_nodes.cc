@@ -99,15 +99,6 @@ unsigned int ContactNodes::find(Dof dof) const
   return n_nodes();
 }
 
-template <typename Number>
-Eigen::VectorXd ContactNodes::gather(const LinearAlgebra::distributed::Vector<Number> &vector) const
-{
-  Eigen::VectorXd own(n_owned_nodes());
-  for (unsigned int i = 0; i < n_owned_nodes(); ++i)
-    own(i) = vector.local_element(places[i]);
-  return spread(own);
-}
-
 Eigen::VectorXd ContactNodes::spread(const Eigen::VectorXd &own) const
 {
   std::copy(own.begin(), own.end(), values.begin());
@@ -130,15 +121,6 @@ Eigen::VectorXd ContactNodes::summed(const Eigen::VectorXd &parts) const
 double ContactNodes::norm(const Eigen::VectorXd &parts) const
 {
   return std::sqrt(all_parts.sum(summed(parts).squaredNorm()));
-}
-
-template <typename Number>
-void ContactNodes::scatter_add(const Eigen::VectorXd &parts,
-                               LinearAlgebra::distributed::Vector<Number> &vector) const
-{
-  const Eigen::VectorXd sums = summed(parts);
-  for (unsigned int i = 0; i < n_owned_nodes(); ++i)
-    vector.local_element(places[i]) += static_cast<Number>(sums(i));
 }
 
 std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMatrix<double> &parts) const
@@ -164,13 +146,6 @@ std::vector<ContactNodes::Entry> ContactNodes::owned_rows(const Eigen::SparseMat
   return rows;
 }
 
-template Eigen::VectorXd ContactNodes::gather(const LinearAlgebra::distributed::Vector<double> &) const;
-template Eigen::VectorXd ContactNodes::gather(const LinearAlgebra::distributed::Vector<float> &) const;
-template void ContactNodes::scatter_add(const Eigen::VectorXd &,
-                                        LinearAlgebra::distributed::Vector<double> &) const;
-template void ContactNodes::scatter_add(const Eigen::VectorXd &,
-                                        LinearAlgebra::distributed::Vector<float> &) const;
-
 ContactStiffness::ContactStiffness(std::shared_ptr<const ContactNodes> nodes)
     : contact_nodes(std::move(nodes))
     , stiffness(contact_nodes->n_nodes(), contact_nodes->n_nodes())
@@ -184,23 +159,10 @@ void ContactStiffness::set(const Eigen::SparseMatrix<double> &tangent)
   is_zero = !contact_nodes->parts().any(stiffness.nonZeros() > 0);
 }
 
-template <typename Number>
-void ContactStiffness::vmult_add(LinearAlgebra::distributed::Vector<Number> &dst,
-                                 const LinearAlgebra::distributed::Vector<Number> &src) const
-{
-  if (!is_zero)
-    contact_nodes->scatter_add(stiffness * contact_nodes->gather(src), dst);
-}
-
 void ContactStiffness::add_row_sums(LinearAlgebra::distributed::Vector<float> &diagonal) const
 {
   if (!is_zero)
     contact_nodes->scatter_add(stiffness.cwiseAbs() * Eigen::VectorXd::Ones(stiffness.cols()), diagonal);
 }
-
-template void ContactStiffness::vmult_add(LinearAlgebra::distributed::Vector<double> &,
-                                          const LinearAlgebra::distributed::Vector<double> &) const;
-template void ContactStiffness::vmult_add(LinearAlgebra::distributed::Vector<float> &,
-                                          const LinearAlgebra::distributed::Vector<float> &) const;
 
 } // namespace stemware::fem

@@ -39,7 +39,13 @@ public:
 
   /// Returns the nodal values of @p vector over the dofs.
   template <typename Number>
-  Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
+  Eigen::VectorXd gather(const dealii::LinearAlgebra::distributed::Vector<Number> &vector) const
+  {
+    Eigen::VectorXd own(n_owned_nodes());
+    for (unsigned int i = 0; i < n_owned_nodes(); ++i)
+      own(i) = vector.local_element(places[i]);
+    return spread(own);
+  }
 
   /// Returns the values at all nodes from the values @p own at owned nodes, shape [n_owned_nodes].
   Eigen::VectorXd spread(const Eigen::VectorXd &own) const;
@@ -51,7 +57,12 @@ public:
   /// Adds the sums over all parts to the entries of the nodes in @p vector.
   template <typename Number>
   void scatter_add(const Eigen::VectorXd &parts,
-                   dealii::LinearAlgebra::distributed::Vector<Number> &vector) const;
+                   dealii::LinearAlgebra::distributed::Vector<Number> &vector) const
+  {
+    const Eigen::VectorXd sums = summed(parts);
+    for (unsigned int i = 0; i < n_owned_nodes(); ++i)
+      vector.local_element(places[i]) += static_cast<Number>(sums(i));
+  }
 
   /// Entries of a matrix between dofs.
   struct Entry
@@ -90,7 +101,11 @@ public:
   /// Adds B' T B @p src to @p dst.
   template <typename Number>
   void vmult_add(dealii::LinearAlgebra::distributed::Vector<Number> &dst,
-                 const dealii::LinearAlgebra::distributed::Vector<Number> &src) const;
+                 const dealii::LinearAlgebra::distributed::Vector<Number> &src) const
+  {
+    if (!is_zero)
+      contact_nodes->scatter_add(stiffness * contact_nodes->gather(src), dst);
+  }
 
   /// Adds the row sums of |T| over all parts: a diagonal bound of T.
   void add_row_sums(dealii::LinearAlgebra::distributed::Vector<float> &diagonal) const;

@@ -118,20 +118,4 @@ void MeshHierarchy::v_cycle(unsigned int l, Vector &dst, const Vector &src) cons
   cycles[l]->preconditioner.vmult(dst, src);
 }
 
-template <typename Number>
-void MeshHierarchy::prolongate(unsigned int l, LinearAlgebra::distributed::Vector<Number> &fine,
-                               const LinearAlgebra::distributed::Vector<Number> &coarse) const
-{
-  FloatVector from, to;
-  matrices[l - 1].initialize_dof_vector(from);
-  matrices[l].initialize_dof_vector(to);
-  from.copy_locally_owned_data_from(coarse);
-  transfer->prolongate(l, to, from);
-  fine.copy_locally_owned_data_from(to);
-  levels[l]->constraints.set_zero(fine); // distribute() interpolates hanging nodes later
-}
-
-template void MeshHierarchy::prolongate(unsigned int, FloatVector &, const FloatVector &) const;
-template void MeshHierarchy::prolongate(unsigned int, Vector &, const Vector &) const;
-
 } // namespace stemware::fem

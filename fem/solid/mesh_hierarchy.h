@@ -57,7 +57,16 @@ public:
   /// Interpolates @p coarse of the level below to @p fine of level @p l in single precision; constrained: 0.
   template <typename Number>
   void prolongate(unsigned int l, dealii::LinearAlgebra::distributed::Vector<Number> &fine,
-                  const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const;
+                  const dealii::LinearAlgebra::distributed::Vector<Number> &coarse) const
+  {
+    FloatVector from, to;
+    matrices[l - 1].initialize_dof_vector(from);
+    matrices[l].initialize_dof_vector(to);
+    from.copy_locally_owned_data_from(coarse);
+    transfer->prolongate(l, to, from);
+    fine.copy_locally_owned_data_from(to);
+    levels[l]->constraints.set_zero(fine); // distribute() interpolates hanging nodes later
+  }
 
 private:
   using Transfer = dealii::MGTransferGlobalCoarsening<3, FloatVector>;
