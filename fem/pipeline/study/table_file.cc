@@ -44,114 +44,49 @@ std::optional<char> named_separator(const std::string &origin, const std::string
   return line.back();
 }
 
-class TableReader
+/// Reads the row that begins at @p place of @p text, in the line @p line, and moves both behind the row.
+TableRow<std::string> read_row(const std::string &origin, const std::string &text, char separator,
+                               std::size_t &place, unsigned int &line)
 {
-public:
-  TableReader(const std::string &origin, const std::string &text)
-      : origin(origin)
-      , text(text)
+  TableRow<std::string> row = { { "" }, line };
+  bool is_quoted = false, has_quotes = false; // of the present cell
+  unsigned int quote_line = line;
+  while (place < text.size())
   {
-  }
-
-  TextTable read(bool blanks_separate)
-  {
-    const std::optional<char> named = named_separator(origin, text);
-    if (named)
-      skip_line();
-    while (skip_to_row())
+    std::string &cell = row.cells.back();
+    const char letter = text[place++];
+    line += letter == '\n' ? 1 : 0;
+    if (is_quoted && letter == '"' && text.compare(place, 1, "\"") != 0)
+      is_quoted = false;
+    else if (is_quoted)
     {
-      if (table.rows.empty())
-        table.separator = named ? *named : separator_of(text, place, blanks_separate);
-      read_row();
+      cell += letter;
+      place += letter == '"' ? 1 : 0; // a doubled quote
     }
-    return table;
-  }
-
-private:
-  bool at_end() const { return place == text.size(); }
-
-  char next()
-  {
-    line += text[place] == '\n' ? 1 : 0;
-    return text[place++];
-  }
-
-  /// Moves to the next row, past blank lines and comments. Returns false at the end of the text.
-  bool skip_to_row()
-  {
-    while (!at_end())
+    else if (letter == '\n')
+      break;
+    else if (letter == separator || (separator == ' ' && letter == '\t'))
     {
-      const std::size_t first = text.find_first_not_of(" \t\r", place);
-      if (first != text.npos && text[first] != '\n' && text[first] != '#')
-        return true;
-      skip_line();
+      row.cells.emplace_back();
+      has_quotes = false;
     }
-    return false;
-  }
-
-  void skip_line()
-  {
-    while (!at_end() && next() != '\n')
-      ;
-  }
-
-  void read_row()
-  {
-    TableRow<std::string> row = { {}, line };
-    bool is_last = false;
-    while (!is_last)
-      row.cells.push_back(read_cell(is_last));
-    if (table.separator == ' ') // several blanks count as one separator
-      row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
-    table.rows.push_back(row);
-  }
-
-  /// Reads a cell and its separator; returns the cell. Sets @p is_last to true at the end of the row.
-  std::string read_cell(bool &is_last)
-  {
-    std::string cell;
-    bool has_quotes = false;
-    while (!at_end())
+    else if (letter == '"' && boost::trim_copy(cell).empty() && !has_quotes)
     {
-      const char letter = next();
-      is_last = letter == '\n';
-      if (is_last || letter == table.separator || (table.separator == ' ' && letter == '\t'))
-        return boost::trim_copy(cell);
-      if (letter == '"' && boost::trim_copy(cell).empty() && !has_quotes)
-      {
-        has_quotes = true;
-        cell = read_quoted();
-      }
-      else
-        cell += letter;
+      is_quoted = has_quotes = true;
+      quote_line = line;
+      cell.clear();
     }
-    is_last = true;
-    return boost::trim_copy(cell);
+    else
+      cell += letter;
   }
-
-  std::string read_quoted()
-  {
-    const unsigned int first_line = line;
-    std::string quoted;
-    while (!at_end())
-    {
-      const char letter = next();
-      if (letter != '"')
-        quoted += letter;
-      else if (!at_end() && text[place] == '"')
-        quoted += next();
-      else
-        return quoted;
-    }
-    throw BadInput(origin + ", line " + std::to_string(first_line) +
-                   ": a quote is not closed; write a quote within a cell twice, or remove it.");
-  }
-
-  const std::string &origin, &text;
-  std::size_t place = 0;
-  unsigned int line = 1;
-  TextTable table;
-};
+  ensure(!is_quoted, origin + ", line " + std::to_string(quote_line) +
+                       ": a quote is not closed; write a quote within a cell twice, or remove it.");
+  for (std::string &cell : row.cells)
+    boost::trim(cell);
+  if (separator == ' ') // several blanks count as one separator
+    row.cells.erase(std::remove(row.cells.begin(), row.cells.end(), ""), row.cells.end());
+  return row;
+}
 
 } // namespace
 
@@ -166,7 +101,23 @@ std::string with_decimal_point(std::string cell)
 
 TextTable parse_table(const std::string &origin, const std::string &text, bool blanks_separate)
 {
-  return TableReader(origin, text).read(blanks_separate);
+  const std::optional<char> named = named_separator(origin, text);
+  TextTable table;
+  unsigned int line = 1;
+  for (std::size_t place = 0; place < text.size();)
+  {
+    const std::size_t first = text.find_first_not_of(" \t\r", place);
+    if (first == text.npos || text[first] == '\n' || text[first] == '#' || (named && line == 1))
+    {
+      place = std::min(text.find('\n', place), text.size() - 1) + 1;
+      ++line;
+      continue;
+    }
+    if (table.rows.empty())
+      table.separator = named ? *named : separator_of(text, place, blanks_separate);
+    table.rows.push_back(read_row(origin, text, table.separator, place, line));
+  }
+  return table;
 }
 
 std::pair<std::string, std::string> parse_heading(const std::string &cell)
