@@ -17,9 +17,9 @@ namespace stemware::pipeline
 namespace
 {
 
-/// Returns the unit after the name of @p column in the heading @p cell; an empty text if the heading has no
+/// Returns the unit after the name of @p column in the heading @p cell, in SI units; 1 if the heading has no
 /// unit; std::nullopt if @p cell does not name the column.
-std::optional<std::string> unit_text_in(const std::string &cell, const FileColumn &column)
+std::optional<double> unit_in(const std::string &cell, const FileColumn &column)
 {
   const std::string typed = as_typed(cell), heading = boost::to_lower_copy(typed);
   for (const std::string &name : column.names)
@@ -27,8 +27,8 @@ std::optional<std::string> unit_text_in(const std::string &cell, const FileColum
         (heading.size() == name.size() || std::string(" ([,/").find(heading[name.size()]) != heading.npos))
     {
       const std::string unit = boost::trim_copy_if(typed.substr(name.size()), boost::is_any_of(" ()[],/"));
-      if (unit.empty() || parse_quantity("1 " + unit, column.unit))
-        return unit;
+      if (const auto size = unit.empty() ? std::optional(1.) : parse_quantity("1 " + unit, column.unit))
+        return size;
     }
   return std::nullopt;
 }
@@ -44,7 +44,7 @@ struct Layout
 {
   std::size_t first_row = 0;
   std::vector<std::size_t> places; ///< position of each column in a row
-  std::vector<std::string> units;  ///< units as written in the file; empty: SI unit
+  std::vector<double> units;       ///< units of the columns in SI units
   std::size_t n_columns = 0;
 };
 
@@ -55,7 +55,6 @@ public:
       : setting(setting)
       , columns(columns)
       , table(parse_table(setting, text, true))
-      , commas_are_decimal(table.separator != ',')
   {
     for (const FileColumn &column : columns)
     {
@@ -69,10 +68,7 @@ public:
     ensure(!table.rows.empty(), no_rows());
     const std::optional<Layout> by_heading = layout_by_heading();
     const Layout layout = by_heading ? *by_heading : layout_without_heading();
-    decide_about_commas(layout);
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      factors.push_back(layout.units[i].empty() ? 1.
-                                                : *parse_quantity("1 " + layout.units[i], columns[i].unit));
+    require_clear_commas(layout);
     std::vector<TableRow<double>> rows;
     for (std::size_t i = layout.first_row; i < table.rows.size(); ++i)
       rows.push_back({ values_in(table.rows[i], layout), table.rows[i].line });
@@ -95,7 +91,7 @@ private:
 
   std::optional<double> number_in(const std::string &cell) const
   {
-    return parse_number(commas_are_decimal ? with_decimal_point(cell) : cell);
+    return parse_number(table.with_point(cell));
   }
 
   bool is_row_of_numbers(const TableRow<std::string> &row) const
@@ -116,7 +112,7 @@ private:
     {
       const std::size_t n_before = headings.size();
       for (std::size_t place = 0; place < row.cells.size(); ++place)
-        if (const auto unit = unit_text_in(row.cells[place], column))
+        if (const auto unit = unit_in(row.cells[place], column))
         {
           layout.places.push_back(place);
           layout.units.push_back(*unit);
@@ -145,7 +141,7 @@ private:
     Layout layout;
     for (std::size_t i = 0; i < columns.size(); ++i)
       layout.places.push_back(i);
-    layout.units.resize(columns.size());
+    layout.units.assign(columns.size(), 1.);
     layout.n_columns = columns.size();
     return layout;
   }
@@ -158,14 +154,12 @@ private:
            "\", or leave the header out.";
   }
 
-  /// Decides whether commas in numbers are decimal marks. Throws BadInput if they may be thousands
-  /// separators: if other numbers have points, or if the table is comma-separated and three digits follow
-  /// every comma.
-  void decide_about_commas(const Layout &layout)
+  /// Throws BadInput if commas in numbers may be thousands separators, not decimal marks: if other numbers
+  /// have points, or if the table is comma-separated and three digits follow every comma.
+  void require_clear_commas(const Layout &layout) const
   {
-    const bool may_be_thousands = table.separator == ',';
     std::string with_comma;
-    bool has_point = false, has_decimals = !may_be_thousands;
+    bool has_point = false, has_decimals = table.separator != ',';
     for (std::size_t i = layout.first_row; i < table.rows.size(); ++i)
       for (const std::size_t place : layout.places)
       {
@@ -185,7 +179,6 @@ private:
            with_comma +
              " may stand for decimals or for thousands; write all numbers with a decimal point and "
              "nothing between thousands.");
-    commas_are_decimal = true;
   }
 
   std::vector<double> values_in(const TableRow<std::string> &row, const Layout &layout) const
@@ -203,10 +196,10 @@ private:
     for (std::size_t i = 0; i < columns.size(); ++i)
     {
       const std::string cell = layout.places[i] < row.cells.size() ? row.cells[layout.places[i]] : "";
-      const auto number = number_in(cell);
+      const auto number = parse_number(with_decimal_point(cell));
       ensure(number.has_value(), position_in_table(setting, row.line, layout.places[i]) + "\"" +
                                    shortened(cell) + "\" is not a number; " + remedy());
-      values.push_back(*number * factors[i]);
+      values.push_back(*number * layout.units[i]);
     }
     return values;
   }
@@ -214,9 +207,7 @@ private:
   const std::string &setting;
   const std::vector<FileColumn> &columns;
   const TextTable table;
-  bool commas_are_decimal;
   std::vector<std::string> names, header;
-  std::vector<double> factors; ///< factors from the file's units to SI units
 };
 
 } // namespace
