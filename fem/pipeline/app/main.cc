@@ -1,7 +1,7 @@
 // The program `stemware`: computes the effect of the load's harmonics on the spin of the glass from a study
 // file.
 
-#include "fem/pipeline/app/program.h"
+#include "fem/pipeline/app/verbs.h"
 
 #include <cstdlib>
 

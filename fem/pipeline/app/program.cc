@@ -1,10 +1,9 @@
-#include "fem/pipeline/app/program.h"
+#include "fem/pipeline/base/program.h"
 
 #include "fem/pipeline/app/verbs.h"
 #include "fem/pipeline/base/console.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/json.h"
-#include "fem/pipeline/base/program.h"
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/base/text_file.h"

@@ -35,4 +35,8 @@ CLI::App *add_verb(CLI::App &program, const std::string &name, const std::string
 STEMWARE_VERBS(STEMWARE_VERB)
 #undef STEMWARE_VERB
 
+/// Runs the program `stemware` (argv[0] is its name) and returns the exit code. Call once per process: it
+/// takes over signals, MPI and the standard streams.
+int run_program(int argc, char *argv[]);
+
 } // namespace stemware::pipeline
