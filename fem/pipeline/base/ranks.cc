@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -37,21 +38,17 @@ bool is_set_to_one(const char *variable)
   return value != nullptr && std::string(value) == "1";
 }
 
-struct Launcher
-{
-  bool is_there = false;
-  bool has_several = false; ///< false only if the launcher states a single process
-};
-
-/// Detects Open MPI, MPICH and Slurm with PMIx by their environment variables for rank and number of ranks.
-Launcher launcher()
+/// Returns false if mpirun states that it has started a single process, true if it has started this process
+/// otherwise, std::nullopt without mpirun. Detects Open MPI, MPICH and Slurm with PMIx by their environment
+/// variables for rank and number of ranks.
+std::optional<bool> started_several()
 {
   for (const auto &[rank, size] :
        { std::pair("OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE"), std::pair("PMI_RANK", "PMI_SIZE"),
          std::pair("PMIX_RANK", "SLURM_STEP_NUM_TASKS") })
     if (std::getenv(rank) != nullptr)
-      return { true, !is_set_to_one(size) };
-  return {};
+      return !is_set_to_one(size);
+  return std::nullopt;
 }
 
 /// Sets Open MPI's environment for a single process: no daemon (needs ssh), no session folder in /tmp
@@ -101,7 +98,7 @@ catch (const std::exception &failure)
 
 MpiSession::MpiSession()
 {
-  if (launcher().has_several)
+  if (started_several().value_or(false))
     start_mpi();
 }
 
@@ -118,11 +115,11 @@ void start_mpi()
   if (is_running)
     return;
 #ifndef DEAL_II_WITH_MPI
-  if (launcher().has_several)
+  if (started_several().value_or(false))
     throw BadInput(
       "mpirun started this program, whose deal.II was built without MPI; start it without mpirun.");
 #endif
-  if (!launcher().is_there)
+  if (!started_several())
     prepare_to_stand_alone();
   start_session();
   is_running = true;
