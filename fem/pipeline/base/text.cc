@@ -1,7 +1,10 @@
 #include "fem/pipeline/base/text.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <cctype>
+#include <numeric>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -15,8 +18,7 @@ std::size_t edit_distance(const std::string &from, const std::string &to)
 {
   const auto lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
   std::vector<std::size_t> row(to.size() + 1);
-  for (std::size_t j = 0; j <= to.size(); ++j)
-    row[j] = j;
+  std::iota(row.begin(), row.end(), std::size_t(0));
   for (std::size_t i = 1; i <= from.size(); ++i)
   {
     std::size_t diagonal = row[0];
@@ -95,10 +97,7 @@ std::string csv_field(const std::string &text)
 {
   if (text.find_first_of(",\"#\r\n") == std::string::npos)
     return text;
-  std::string quoted = "\"";
-  for (const char letter : text)
-    quoted += letter == '"' ? std::string("\"\"") : std::string(1, letter);
-  return quoted + '"';
+  return '"' + boost::replace_all_copy(text, "\"", "\"\"") + '"';
 }
 
 std::optional<std::string> closest_match(const std::string &word, const std::vector<std::string> &words)
