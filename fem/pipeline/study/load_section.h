@@ -37,18 +37,13 @@ struct LoadSection
   bool is_static() const { return moment_ratio >= 0; }
   /// Returns true if the moment balance gives the moment (no given moment, no load file).
   bool has_closure() const { return !is_static() && source != LoadSource::file; }
-  /// Returns true if contact and friction are in balance at every spin; false for a given moment.
-  bool is_in_balance() const
-  {
-    return is_from_contact() && !is_static() && coupling == LoadCoupling::two_way;
-  }
-
   /// Returns true if the load at rest is used at every spin: Coupling = one-way, given moment, or load file.
   bool is_one_way() const
   {
-    return source == LoadSource::file || is_static() ||
-           (is_from_contact() && coupling == LoadCoupling::one_way);
+    return !has_closure() || (is_from_contact() && coupling == LoadCoupling::one_way);
   }
+  /// Returns true if contact and friction are in balance at every spin; false for a given moment.
+  bool is_in_balance() const { return is_from_contact() && !is_one_way(); }
 
   /// Declares the entries with their facts. A template, to be compiled in one file only.
   template <typename List>
