@@ -46,8 +46,7 @@ std::shared_ptr<ElasticFoot> announced_foot(const FootSpecification &specificati
   if (!foot)
     return foot;
   progress.note("Foot", size_text(foot->body().description()));
-  if (const std::string note = specification.study.friction_note(); !note.empty())
-    progress.note("Friction", note);
+  progress.note("Friction", specification.study.friction_note());
   if (const std::string note = specification.study.frozen_note(); !note.empty())
     progress.note("Coupling", note);
   return foot;

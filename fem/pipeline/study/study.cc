@@ -137,8 +137,6 @@ double moment_ratio(const fem::Resultants &load, double contact_radius)
 
 std::string Study::friction_note() const
 {
-  if (!load.is_from_contact())
-    return "";
   const bool is_stiff = has_stiff_contact(table, glass.material);
   if (friction_deforms())
     return std::string("deforms the foot") + (table.make().substrate ? " and the table" : "") +

@@ -71,8 +71,7 @@ struct Study
   /// Returns true if @p omega exceeds rounding_of_spins().
   bool is_spin(double omega) const { return std::abs(omega) >= rounding_of_spins(); }
 
-  /// Returns a clause: whether friction deforms the foot, and whether this may matter; empty without a
-  /// contact.
+  /// Returns a clause: whether friction deforms the foot, and whether this may matter.
   std::string friction_note() const;
 
   /// Returns a sentence if the load at rest is used although it depends on the spin, else an empty string.
