@@ -15,6 +15,7 @@
 #include "ring_model/load/constants.h"
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/join.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -162,8 +163,15 @@ Study begin_study(const StudyOptions &options)
   if (options.verb != "sweep") // in a sweep, each case has its own study
   {
     require_no_tipping_at_rest(study);
-    print_warning("Unused    ", unused_entries_note(unused_entries(entries_of(study))), options);
-    print_note("Memory    ", size_of(study).memory_note());
+    const std::vector<std::string> unused = unused_entries(entries_of(study));
+    if (!unused.empty())
+      print_warning("Unused    ",
+                    boost::join(unused, ", ") + (unused.size() == 1 ? " has" : " have") +
+                      " no effect in this study.",
+                    options);
+    if (const StudySize size = size_of(study); size.memory > 1e9)
+      print_note("Memory    ", fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} unknowns"),
+                                           size.memory / 1e9, size.unknowns));
   }
   if (!study.load.is_from_contact())
     return study;

@@ -9,6 +9,7 @@
 #include "fem/pipeline/result/sweep_file.h"
 #include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_checks.h"
+#include "fem/pipeline/study/study_entries.h"
 
 #include <CLI/CLI.hpp>
 
@@ -42,7 +43,7 @@ void note_implausible_cases(const CaseList &list, const StudyOptions &options)
     for (const std::vector<std::string> &values : list.cases)
     {
       const auto number = list.entries[e].unit.empty() ? std::nullopt : parse_number(values[e]);
-      const std::string note = number ? implausible_note(list.entries[e].path, *number) : "";
+      const std::string note = number ? implausible_note(find_entry("", list.entries[e].path), *number) : "";
       print_warning("Check     ", note, options);
       if (!note.empty())
         break;

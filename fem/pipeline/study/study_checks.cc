@@ -252,21 +252,6 @@ void require_known_speeds(const Study &study)
   }
 }
 
-std::string implausible_note(const StudyEntry &entry, double value)
-{
-  const std::string number = to_short_text(value);
-  const std::vector<std::string> units = usual_units(entry.unit);
-  const auto meant = std::find_if(units.begin(), units.end(),
-                                  [&](const std::string &unit)
-                                  {
-                                    const auto other = parse_quantity(number + ' ' + unit, entry.unit);
-                                    return other && !is_implausible(entry, *other);
-                                  });
-  return assignment(entry, value) + " is outside " + plausible_text(entry) + " for a glass; " +
-         (meant != units.end() ? "write " + number + ' ' + *meant + " if that is meant."
-                               : "check number and unit.");
-}
-
 } // namespace
 
 void Study::check_values() const
@@ -317,17 +302,21 @@ std::vector<std::string> unused_entries(const std::vector<StudyEntry> &entries)
   return idle;
 }
 
-std::string unused_entries_note(const std::vector<std::string> &entries)
+std::string implausible_note(const StudyEntry &entry, double value)
 {
-  return entries.empty() ? ""
-                         : boost::join(entries, ", ") + (entries.size() == 1 ? " has" : " have") +
-                             " no effect in this study.";
-}
-
-std::string implausible_note(const std::string &path, double value)
-{
-  const StudyEntry entry = find_entry("", path);
-  return is_implausible(entry, value) ? implausible_note(entry, value) : "";
+  if (!is_implausible(entry, value))
+    return "";
+  const std::string number = to_short_text(value);
+  const std::vector<std::string> units = usual_units(entry.unit);
+  const auto meant = std::find_if(units.begin(), units.end(),
+                                  [&](const std::string &unit)
+                                  {
+                                    const auto other = parse_quantity(number + ' ' + unit, entry.unit);
+                                    return other && !is_implausible(entry, *other);
+                                  });
+  return assignment(entry, value) + " is outside " + plausible_text(entry) + " for a glass; " +
+         (meant != units.end() ? "write " + number + ' ' + *meant + " if that is meant."
+                               : "check number and unit.");
 }
 
 std::vector<std::string> implausible_notes(const std::vector<StudyEntry> &entries)

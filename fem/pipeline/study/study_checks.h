@@ -12,12 +12,10 @@ namespace stemware::pipeline
 /// of a study file: for example the modulus of a disc on a rigid substrate.
 std::vector<std::string> unused_entries(const std::vector<StudyEntry> &entries);
 
-/// Returns a sentence that names @p entries; empty without entries.
-std::string unused_entries_note(const std::vector<std::string> &entries);
-
-/// Returns a sentence if @p value [SI] is outside StudyEntry::plausible: "Motion/Mass = 300 kg is outside
-/// 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and for an optional entry 0.
-std::string implausible_note(const std::string &path, double value);
+/// Returns a sentence if @p value [SI] of @p entry is outside StudyEntry::plausible: "Motion/Mass = 300 kg is
+/// outside 0.02 to 2 kg for a glass; write 300 g if grams are meant."; empty otherwise, and for an optional
+/// entry 0.
+std::string implausible_note(const StudyEntry &entry, double value);
 
 /// Returns the implausible_note() of each of @p entries that is given and has an effect.
 std::vector<std::string> implausible_notes(const std::vector<StudyEntry> &entries);

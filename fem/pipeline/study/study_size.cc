@@ -115,10 +115,6 @@ StudyEntry costliest_entry(Study &study)
 StudySize size_of(const Study &study)
 {
   StudySize size;
-  size.memory = memory_of_the_program;
-  // The adaptive method takes about ten steps per second of motion; forward Euler uses Motion/Euler step.
-  constexpr double longest_step = 0.1;
-  size.steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
   if (study.load.is_from_contact() && study.contact.is_of_revolution())
     add_body_of_revolution(study.contact, study.glass.profile, study.table, size);
   else if (study.load.is_from_contact())
@@ -126,23 +122,17 @@ StudySize size_of(const Study &study)
   return size;
 }
 
-std::string StudySize::memory_note() const
-{
-  constexpr double worth_saying = 1e9;
-  return memory > worth_saying
-           ? fmt::format(FMT_STRING("about {:.2g} GB for {:.2g} unknowns"), memory / 1e9, unknowns)
-           : "";
-}
-
 void require_affordable(const Study &study)
 {
-  const StudySize size = size_of(study);
-  if (size.steps > study.motion.step_limit)
+  // The adaptive method takes about ten steps per second of motion; forward Euler uses Motion/Euler step.
+  constexpr double longest_step = 0.1;
+  const double steps = study.motion.end_time / std::min(study.motion.euler_step, longest_step);
+  if (steps > study.motion.step_limit)
     throw BadInput(fmt::format(
       FMT_STRING("Motion/End time = {} s in steps of Motion/Euler step = {} s takes about {:.2g} steps; use "
                  "longer steps or less time, or allow more with Motion/Step limit = {:.1e}."),
-      to_short_text(study.motion.end_time), to_short_text(study.motion.euler_step), size.steps,
-      1.1 * size.steps));
+      to_short_text(study.motion.end_time), to_short_text(study.motion.euler_step), steps, 1.1 * steps));
+  const StudySize size = size_of(study);
   if (size.memory > study.contact.memory_limit)
   {
     Study trial = study;

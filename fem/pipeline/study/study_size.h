@@ -2,8 +2,6 @@
 
 #include "fem/pipeline/study/study.h"
 
-#include <string>
-
 namespace stemware::pipeline
 {
 
@@ -13,12 +11,8 @@ inline constexpr double memory_of_the_program = 1.6e8;
 /// Cost of a study, estimated to a factor of two or three from its entries and the nodes of a mesh file.
 struct StudySize
 {
-  double unknowns = 0; ///< unknowns of the largest linear system
-  double memory = 0;   ///< [byte]
-  double steps = 0;    ///< time steps of the spin-up
-
-  /// Returns a clause about a memory of more than 1 GB; empty otherwise.
-  std::string memory_note() const;
+  double unknowns = 0;                   ///< unknowns of the largest linear system
+  double memory = memory_of_the_program; ///< [byte]
 };
 
 StudySize size_of(const Study &study);

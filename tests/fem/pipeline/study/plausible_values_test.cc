@@ -67,12 +67,12 @@ TEST(PlausibleValues, ContainTheDefaultsAndExcludeValuesAboveTheMaximum)
   {
     if (entry.quantity != nullptr)
     {
-      EXPECT_EQ(implausible_note(entry.path(), *entry.quantity), "") << entry.path();
+      EXPECT_EQ(implausible_note(entry, *entry.quantity), "") << entry.path();
     }
     if (!entry.plausible)
       continue;
     EXPECT_LT(entry.plausible->first, entry.plausible->second) << entry.path();
-    EXPECT_NE(implausible_note(entry.path(), 1.01 * entry.plausible->second), "") << entry.path();
+    EXPECT_NE(implausible_note(entry, 1.01 * entry.plausible->second), "") << entry.path();
     EXPECT_FALSE(entry.plausible_reason.empty()) << entry.path();
     ++n_ranges;
   }
