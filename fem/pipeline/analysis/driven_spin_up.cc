@@ -1,9 +1,7 @@
-#include "fem/pipeline/analysis/driven_spin_up.h"
-
+#include "fem/pipeline/analysis/spin_study.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
-#include "fem/pipeline/coupling/balanced_contact.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
 
