@@ -46,7 +46,6 @@ set(STEMWARE_PORTABLE
     fem/pipeline/study/table_section.
     fem/pipeline/coupling/balanced_contact.
     fem/pipeline/coupling/balanced_load.
-    fem/pipeline/coupling/contact_path.
     fem/pipeline/coupling/foot_specification.
     fem/pipeline/coupling/elastic_foot.
     fem/pipeline/coupling/revolution_setup.
