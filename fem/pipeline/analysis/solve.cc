@@ -15,6 +15,13 @@ bool is_variant_failure(const std::exception &failure)
          dynamic_cast<const ring::NoBalance *>(&failure);
 }
 
+bool is_tipping(const std::exception &failure)
+{
+  const auto *contact = dynamic_cast<const fem::ContactFailure *>(&failure);
+  return contact ? contact->outcome == fem::ContactOutcome::tipping
+                 : dynamic_cast<const ring::Tipping *>(&failure) != nullptr;
+}
+
 std::shared_ptr<ElasticFoot> foot_of(const Variant &variant, const std::shared_ptr<ElasticFoot> &foot,
                                      const Executor &executor)
 {

@@ -73,6 +73,9 @@ struct Solved
 /// Returns true for bad input, and for a contact or a balance that does not exist: the variant has no value.
 bool is_variant_failure(const std::exception &failure);
 
+/// Returns true if @p failure, of a contact or of a balance at one spin, means that the glass tips.
+bool is_tipping(const std::exception &failure);
+
 /// Study on its foot, with the executor that solves its variants. Study and executor must outlive the
 /// analysis.
 struct Analysis

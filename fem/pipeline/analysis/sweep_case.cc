@@ -6,7 +6,6 @@
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/failure_sentence.h"
 #include "fem/pipeline/coupling/study_load.h"
-#include "ring_model/failures.h"
 #include "ring_model/spin/curves.h"
 
 #include <algorithm>
@@ -29,26 +28,13 @@ try
 {
   return case_result(list.study_of(index), executor);
 }
-catch (const fem::ContactFailure &contact)
+catch (const std::exception &failure)
 {
-  const bool tips = contact.outcome == fem::ContactOutcome::tipping;
-  return { fem::to_string(contact.outcome), tips ? "tips" : "failed", failure_sentence() };
-}
-catch (const ring::Tipping &)
-{
-  return { "", "tips", failure_sentence() };
-}
-catch (const std::bad_alloc &)
-{
-  throw;
-}
-catch (const OutputFailure &)
-{
-  throw;
-}
-catch (const std::exception &)
-{
-  return { "", "failed", failure_sentence() };
+  if (dynamic_cast<const std::bad_alloc *>(&failure) || dynamic_cast<const OutputFailure *>(&failure))
+    throw;
+  const auto *contact = dynamic_cast<const fem::ContactFailure *>(&failure);
+  return { contact ? fem::to_string(contact->outcome) : "", is_tipping(failure) ? "tips" : "failed",
+           failure_sentence() };
 }
 
 /// Returns true if a case uses all threads; false for an invalid case.

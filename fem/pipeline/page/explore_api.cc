@@ -1,6 +1,5 @@
 #include "fem/pipeline/page/explore_api.h"
 
-#include "fem/contact/contact_solution.h"
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/analysis/budget.h"
 #include "fem/pipeline/analysis/ring_quantities.h"
@@ -9,7 +8,6 @@
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
-#include "ring_model/failures.h"
 
 #include <exception>
 #include <optional>
@@ -81,11 +79,8 @@ const char *answer(const Make &make)
   }
   catch (const std::exception &failure)
   {
-    const auto *contact = dynamic_cast<const fem::ContactFailure *>(&failure);
-    const bool tips = contact ? contact->outcome == fem::ContactOutcome::tipping
-                              : dynamic_cast<const ring::Tipping *>(&failure) != nullptr;
     reply = dump_utf8({ { "error", failure.what() },
-                        { "tips", tips },
+                        { "tips", is_tipping(failure) },
                         { "notes", implausible_notes(entries_of(explorer.study())) } });
   }
   return reply.c_str();
