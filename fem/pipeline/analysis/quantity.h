@@ -60,7 +60,7 @@ struct Column
   std::vector<Json> cells = {};
 };
 
-/// Columns of equal length under a title, shown in this order by all renderers (table_renderers.h).
+/// Columns of equal length under a title, shown in this order by all renderers (result/results.h).
 struct Table
 {
   std::string title = {};

@@ -6,7 +6,6 @@
 #include "fem/pipeline/base/ranks.h"
 #include "fem/pipeline/base/text_file.h"
 #include "fem/pipeline/page/page.h"
-#include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/study/study_file.h"
 
 #include <cmath>

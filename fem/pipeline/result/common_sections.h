@@ -21,8 +21,8 @@ Fields<StudyAnswer> harmonics_fields();
 /// Returns the summary of `run`.
 Fields<StudyAnswer> run_fields();
 
-/// Returns the page's numbers of the contact, one column each.
-Table contact_list(const FootReport &foot);
+/// Returns "contact" of summary.json, and the page's numbers of the contact.
+Fields<FootReport> contact_fields();
 
 /// Adds the table "truncations" and the picture "torque_changes".
 void add_truncations(const StudyAnswer &answer, Results &results);

@@ -1,7 +1,6 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/curves.h"
-#include "fem/pipeline/result/table_renderers.h"
 #include "ring_model/load/constants.h"
 
 #include <cmath>

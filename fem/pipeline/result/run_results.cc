@@ -8,7 +8,6 @@
 #include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/results.h"
 #include "fem/pipeline/result/sentences.h"
-#include "fem/pipeline/result/table_renderers.h"
 #include "fem/pipeline/result/verb_results.h"
 
 #include <algorithm>
@@ -265,7 +264,7 @@ Results run_results(const StudyAnswer &answer)
   if (contact.foot)
   {
     add_foot_pictures(answer, *contact.foot, results);
-    results.add_table("contact", as_list(contact_list(*contact.foot)));
+    results.add_table("contact", as_list(contact_fields().table({ *contact.foot }, Face::page)));
   }
   if (!bands.empty())
     add_band_tables(bands, results);

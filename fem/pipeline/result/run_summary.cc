@@ -1,8 +1,6 @@
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/study/study_file.h"
 
-#include <algorithm>
-
 namespace stemware::pipeline
 {
 
@@ -89,69 +87,6 @@ Fields<StudyAnswer> driven_fields()
     { "breakaway", "Start of sliding of a hand that starts from rest; else null.", start_fields,
       of_driven(&DrivenSpinUp::breakaway) }
   };
-}
-
-Fields<FootReport> contact_fields()
-{
-  using Foot = FootReport;
-  using Mesh = fem::MeshReport;
-  const auto of_mesh = [](auto member)
-  {
-    return [=](const fem::FootDescription &foot)
-    { return foot.mesh_report ? std::optional(*foot.mesh_report.*member) : std::nullopt; };
-  };
-  const auto of_foot = [](auto member) { return [=](const Foot &report) { return report.foot.*member; }; };
-  const auto of_solution = [](auto member)
-  { return [=](const Foot &report) { return report.at_rest.solution.*member; }; };
-  const auto n_cells = [](const fem::FootDescription &foot) { return foot.n_cells; };
-  const auto mesh_fields = Fields<fem::FootDescription>{
-    { "cells", "1", "Number of hexahedra.", n_cells, or_absent() },
-    { "round_rim", "", "Whether the rim of a mesh file is round.", of_mesh(&Mesh::round_rim), or_absent() },
-    { "rim_radius", "m",
-      "Contact radius of the land: mean of the smallest and largest distance of the land's border from "
-      "the axis.",
-      of_mesh(&Mesh::rim_radius), or_absent() },
-    { "land_area_deficit", "1", "Share of the land's area that straight edges cut off.",
-      of_mesh(&Mesh::land_area_deficit), or_absent() }
-  };
-  using Description = fem::FootDescription;
-  using Solution = fem::ContactSolution;
-  return { { "body", "", "revolution or solid.", of_foot(&Description::body), on_page("body") },
-           { "cells", "1", "", of_foot(&Description::n_cells), on_page("cells") },
-           { "friction_coupling", "", "Whether friction deforms the foot: elastic or none.",
-             &Foot::friction_coupling },
-           { "mesh", "Mesh of a solid body.", mesh_fields, &Foot::foot },
-           { "unknowns", "1", "Unknowns of the largest linear system.", of_foot(&Description::n_unknowns),
-             on_page("unknowns") },
-           { "contact_nodes", "1", "Nodes that may touch the table.", of_foot(&Description::n_contact_nodes),
-             on_page("contact nodes") },
-           { "loaded_nodes", "1", "Contact nodes under load.", of_solution(&Solution::n_loaded_nodes),
-             on_page("of them under load") },
-           { "nodes_across", "1", "Largest number of neighbouring loaded nodes across the rim.",
-             of_solution(&Solution::n_nodes_across), on_page("side by side across the contact") },
-           { "outcome", "", "Outcome of the solution: converged, or narrow contact.",
-             [](const Foot &report) { return std::string(fem::to_string(report.at_rest.solution.outcome)); },
-             on_page("outcome") },
-           { "iterations", "1", "Newton steps.", of_solution(&Solution::n_iterations),
-             on_page("Newton steps") },
-           { "linear_iterations", "1", "Iterations of the linear solver.",
-             of_solution(&Solution::n_linear_iterations) },
-           { "force_residual", "1", "|Σf − N| / N.", of_solution(&Solution::force_residual),
-             on_page("|Σf - N| / N"), with_digits("#.1e") },
-           { "moment_residual", "1", "|Σ r×f − M_N| / (N R).", of_solution(&Solution::moment_residual),
-             on_page("|Σr×f - M_N| / (N R)"), with_digits("#.1e") },
-           { "equilibrium_residual", "1", "Residual of the body's equilibrium.",
-             of_solution(&Solution::equilibrium_residual), on_page("residual of the body's equilibrium"),
-             with_digits("#.1e") },
-           { "table_motion", "", "Motion of the table: q_0 (m), q_1 and q_2 (rad).",
-             [](const Foot &report)
-             {
-               const Eigen::Vector3d &motion = report.at_rest.solution.motion;
-               return std::array<double, 3>{ motion(0), motion(1), motion(2) };
-             },
-             with_places({ { "", "m", "", "", "", "table moved by q_0" },
-                           { "", "rad", "", "", "", "table tilted by q_1" },
-                           { "", "rad", "", "", "", "table tilted by q_2" } }) } };
 }
 
 Fields<StudyAnswer> ring_fields()
@@ -314,13 +249,67 @@ Fields<StudyAnswer> run_fields()
   }.include(harmonics_fields(), [](const StudyAnswer &run) -> const StudyAnswer & { return run; });
 }
 
-Table contact_list(const FootReport &foot)
+Fields<FootReport> contact_fields()
 {
-  Table row = contact_fields().table({ foot }, Face::page);
-  row.columns.erase(std::remove_if(row.columns.begin(), row.columns.end(),
-                                   [](const Column &column) { return column.cells[0].is_null(); }),
-                    row.columns.end());
-  return row;
+  using Foot = FootReport;
+  using Mesh = fem::MeshReport;
+  const auto of_mesh = [](auto member)
+  {
+    return [=](const fem::FootDescription &foot)
+    { return foot.mesh_report ? std::optional(*foot.mesh_report.*member) : std::nullopt; };
+  };
+  const auto of_foot = [](auto member) { return [=](const Foot &report) { return report.foot.*member; }; };
+  const auto of_solution = [](auto member)
+  { return [=](const Foot &report) { return report.at_rest.solution.*member; }; };
+  const auto n_cells = [](const fem::FootDescription &foot) { return foot.n_cells; };
+  const auto mesh_fields = Fields<fem::FootDescription>{
+    { "cells", "1", "Number of hexahedra.", n_cells, or_absent() },
+    { "round_rim", "", "Whether the rim of a mesh file is round.", of_mesh(&Mesh::round_rim), or_absent() },
+    { "rim_radius", "m",
+      "Contact radius of the land: mean of the smallest and largest distance of the land's border from "
+      "the axis.",
+      of_mesh(&Mesh::rim_radius), or_absent() },
+    { "land_area_deficit", "1", "Share of the land's area that straight edges cut off.",
+      of_mesh(&Mesh::land_area_deficit), or_absent() }
+  };
+  using Description = fem::FootDescription;
+  using Solution = fem::ContactSolution;
+  return { { "body", "", "revolution or solid.", of_foot(&Description::body), on_page("body") },
+           { "cells", "1", "", of_foot(&Description::n_cells), on_page("cells") },
+           { "friction_coupling", "", "Whether friction deforms the foot: elastic or none.",
+             &Foot::friction_coupling },
+           { "mesh", "Mesh of a solid body.", mesh_fields, &Foot::foot },
+           { "unknowns", "1", "Unknowns of the largest linear system.", of_foot(&Description::n_unknowns),
+             on_page("unknowns") },
+           { "contact_nodes", "1", "Nodes that may touch the table.", of_foot(&Description::n_contact_nodes),
+             on_page("contact nodes") },
+           { "loaded_nodes", "1", "Contact nodes under load.", of_solution(&Solution::n_loaded_nodes),
+             on_page("of them under load") },
+           { "nodes_across", "1", "Largest number of neighbouring loaded nodes across the rim.",
+             of_solution(&Solution::n_nodes_across), on_page("side by side across the contact") },
+           { "outcome", "", "Outcome of the solution: converged, or narrow contact.",
+             [](const Foot &report) { return std::string(fem::to_string(report.at_rest.solution.outcome)); },
+             on_page("outcome") },
+           { "iterations", "1", "Newton steps.", of_solution(&Solution::n_iterations),
+             on_page("Newton steps") },
+           { "linear_iterations", "1", "Iterations of the linear solver.",
+             of_solution(&Solution::n_linear_iterations) },
+           { "force_residual", "1", "|Σf − N| / N.", of_solution(&Solution::force_residual),
+             on_page("|Σf - N| / N"), with_digits("#.1e") },
+           { "moment_residual", "1", "|Σ r×f − M_N| / (N R).", of_solution(&Solution::moment_residual),
+             on_page("|Σr×f - M_N| / (N R)"), with_digits("#.1e") },
+           { "equilibrium_residual", "1", "Residual of the body's equilibrium.",
+             of_solution(&Solution::equilibrium_residual), on_page("residual of the body's equilibrium"),
+             with_digits("#.1e") },
+           { "table_motion", "", "Motion of the table: q_0 (m), q_1 and q_2 (rad).",
+             [](const Foot &report)
+             {
+               const Eigen::Vector3d &motion = report.at_rest.solution.motion;
+               return std::array<double, 3>{ motion(0), motion(1), motion(2) };
+             },
+             with_places({ { "", "m", "", "", "", "table moved by q_0" },
+                           { "", "rad", "", "", "", "table tilted by q_1" },
+                           { "", "rad", "", "", "", "table tilted by q_2" } }) } };
 }
 
 } // namespace stemware::pipeline

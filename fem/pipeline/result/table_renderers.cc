@@ -1,5 +1,3 @@
-#include "fem/pipeline/result/table_renderers.h"
-
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/base/text.h"
 #include "fem/pipeline/result/number_format.h"
@@ -10,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <sstream>
 
 namespace stemware::pipeline
@@ -116,7 +115,10 @@ Table as_list(const Table &row)
       [](const Column &column) { return shown(column.quantity, column.cells.at(0), format::missing); },
       on_page(" ") }
   };
-  return fields.table(row.columns, Face::page);
+  std::vector<Column> known;
+  std::copy_if(row.columns.begin(), row.columns.end(), std::back_inserter(known),
+               [](const Column &column) { return !column.cells.at(0).is_null(); });
+  return fields.table(known, Face::page);
 }
 
 std::string console_table(const Table &table)

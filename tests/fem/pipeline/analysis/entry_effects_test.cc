@@ -3,7 +3,7 @@
 #include "fem/pipeline/analysis/study_answer.h"
 #include "fem/pipeline/analysis/threaded_executor.h"
 #include "fem/pipeline/base/numbers.h"
-#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/result/results.h"
 #include "fem/pipeline/result/verb_results.h"
 #include "fem/pipeline/study/study_entries.h"
 #include "fem/pipeline/study/study_file.h"

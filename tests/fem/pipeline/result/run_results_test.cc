@@ -1,5 +1,5 @@
 #include "fem/pipeline/analysis/ring_quantities.h"
-#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/result/results.h"
 #include "fem/pipeline/result/verb_results.h"
 #include "tests/fem/pipeline/analysis/quick_studies.h"
 #include "tests/fem/pipeline/analysis/solved_run.h"

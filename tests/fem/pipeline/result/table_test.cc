@@ -1,6 +1,6 @@
 #include "fem/pipeline/base/numbers.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/table_renderers.h"
+#include "fem/pipeline/result/results.h"
 
 #include <gtest/gtest.h>
 
