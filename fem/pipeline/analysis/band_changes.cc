@@ -1,5 +1,4 @@
-#include "fem/pipeline/analysis/band_changes.h"
-
+#include "fem/pipeline/analysis/error_bands.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/revolution_setup.h"
 #include "fem/pipeline/study/study_size.h"

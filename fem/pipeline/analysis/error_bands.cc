@@ -1,7 +1,6 @@
 #include "fem/pipeline/analysis/error_bands.h"
 
 #include "fem/contact/footprint.h"
-#include "fem/pipeline/analysis/band_changes.h"
 #include "fem/pipeline/base/failures.h"
 #include "fem/pipeline/coupling/study_load.h"
 #include "ring_model/failures.h"
