@@ -20,31 +20,6 @@ std::string Quantity::word(Face face) const
   return boost::replace_all_copy(pattern, "*", number);
 }
 
-Word in_file(const std::string &name, const std::string &column)
-{
-  return [=](Quantity &quantity) { quantity.name = name, quantity.column = column; };
-}
-
-Word shown_as(const std::string &word)
-{
-  return [=](Quantity &quantity) { quantity.heading = quantity.label = word; };
-}
-
-Word in_bands(const std::string &name)
-{
-  return [=](Quantity &quantity) { quantity.banded = name.empty() ? quantity.column : name; };
-}
-
-Word of_type(const Json &type)
-{
-  return [=](Quantity &quantity) { quantity.type.update(type); };
-}
-
-Word or_absent()
-{
-  return [](Quantity &quantity) { quantity.may_be_absent = true; };
-}
-
 Json or_null(Json type)
 {
   if (type.contains("type"))

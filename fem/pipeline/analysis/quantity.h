@@ -98,15 +98,27 @@ inline constexpr auto &with_places = word_of<&Quantity::places>;
 /// Declares the number in place of a * in the words.
 inline constexpr auto &with_number = word_of<&Quantity::number>;
 /// Declares heading and description of a column of data files.
-Word in_file(const std::string &name, const std::string &column);
+inline Word in_file(const std::string &name, const std::string &column)
+{
+  return [=](Quantity &quantity) { quantity.name = name, quantity.column = column; };
+}
 /// Declares heading on the page and label on the console, which are equal.
-Word shown_as(const std::string &word);
+inline Word shown_as(const std::string &word)
+{
+  return [=](Quantity &quantity) { quantity.heading = quantity.label = word; };
+}
 /// Declares the name of a quantity with an error band; empty: the description of its column, declared before.
-Word in_bands(const std::string &name = "");
+inline Word in_bands(const std::string &name = "")
+{
+  return [=](Quantity &quantity) { quantity.banded = name.empty() ? quantity.column : name; };
+}
 /// Declares the JSON Schema of the values, in addition to the schema of their type.
-Word of_type(const Json &type);
+inline Word of_type(const Json &type)
+{
+  return [=](Quantity &quantity) { quantity.type.update(type); };
+}
 /// Declares that a missing value has no key in summary.json, instead of null.
-Word or_absent();
+inline constexpr auto or_absent = [] { return word_of<&Quantity::may_be_absent>(true); };
 
 // ---- C++ types
 
@@ -186,7 +198,28 @@ struct Field
   /// or a pointer without value, null.
   template <typename Part, typename Read, typename... Words>
   Field(const std::string &key, const std::string &description, const Fields<Part> &fields, Read read,
-        Words... words);
+        Words... words)
+  {
+    using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
+    value = [read, fields](const Row &row) -> Json
+    {
+      const auto &found = std::invoke(read, row);
+      if constexpr (std::is_constructible_v<bool, Found>) // an optional or a pointer
+        return found ? fields.json(*found) : Json(nullptr);
+      else
+        return fields.json(found);
+    };
+    quantity = { key, "", description };
+    quantity.type = schema_of<Found>(fields.schema());
+    if (fields.is_keyed())
+    {
+      const bool is_optional = quantity.type["type"].is_array();
+      quantity.type = { { "type", "object" }, { "additionalProperties", fields.schema() } };
+      if (is_optional)
+        quantity.type = or_null(quantity.type);
+    }
+    (words(quantity), ...);
+  }
 };
 
 /// List of quantities that are read from a Row.
@@ -194,8 +227,7 @@ template <typename Row>
 class Fields
 {
 public:
-  Fields() = default;
-  Fields(std::initializer_list<Field<Row>> fields)
+  Fields(std::initializer_list<Field<Row>> fields = {})
       : members(fields)
   {
   }
@@ -276,31 +308,5 @@ private:
   std::vector<Field<Row>> members;
   std::function<std::string(const Row &)> key_of = {};
 };
-
-template <typename Row>
-template <typename Part, typename Read, typename... Words>
-Field<Row>::Field(const std::string &key, const std::string &description, const Fields<Part> &fields,
-                  Read read, Words... words)
-{
-  using Found = std::decay_t<std::invoke_result_t<Read, const Row &>>;
-  value = [read, fields](const Row &row) -> Json
-  {
-    const auto &found = std::invoke(read, row);
-    if constexpr (std::is_constructible_v<bool, Found>) // an optional or a pointer
-      return found ? fields.json(*found) : Json(nullptr);
-    else
-      return fields.json(found);
-  };
-  quantity = { key, "", description };
-  quantity.type = schema_of<Found>(fields.schema());
-  if (fields.is_keyed())
-  {
-    const bool is_optional = quantity.type["type"].is_array();
-    quantity.type = { { "type", "object" }, { "additionalProperties", fields.schema() } };
-    if (is_optional)
-      quantity.type = or_null(quantity.type);
-  }
-  (words(quantity), ...);
-}
 
 } // namespace stemware::pipeline
