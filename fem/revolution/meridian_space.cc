@@ -9,7 +9,9 @@
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
+#include <string>
 
 namespace stemware::fem
 {
@@ -33,8 +35,7 @@ MeridianSpace::MeridianSpace(const Triangulation<2> &triangulation, const Elasti
 {
   dofs.distribute_dofs(element);
   stiffness = std::make_unique<MeridianStiffness>(curves, dofs, material);
-  find_contact_nodes();
-  find_axis();
+  find_nodes();
 }
 
 double MeridianSpace::contact_radius(unsigned int i) const
@@ -42,21 +43,27 @@ double MeridianSpace::contact_radius(unsigned int i) const
   return points[contact_nodes[i][vertical]][0];
 }
 
-void MeridianSpace::make_pattern(const AffineConstraints<double> &constraints, SparsityPattern &pattern) const
+std::vector<LowerTriangle> MeridianSpace::assembled(const std::vector<std::array<double, 3>> &sums,
+                                                    const AffineConstraints<double> &constraints) const
 {
   DynamicSparsityPattern dynamic_pattern(dofs.n_dofs());
   DoFTools::make_sparsity_pattern(dofs, dynamic_pattern, constraints, false);
+  SparsityPattern pattern;
   pattern.copy_from(dynamic_pattern);
+  SparseMatrix<double> matrix(pattern);
+  std::vector<LowerTriangle> matrices;
+  for (const std::array<double, 3> &factors : sums)
+  {
+    stiffness->assemble(factors, constraints, matrix);
+    matrices.push_back(lower_triangle_of(matrix));
+  }
+  return matrices;
 }
 
 MeridianSpace::Factors::Factors(const MeridianSpace &space, unsigned int harmonic)
     : constraints(space.make_constraints(harmonic))
 {
-  SparsityPattern pattern;
-  space.make_pattern(constraints, pattern);
-  SparseMatrix<double> matrix(pattern);
-  space.stiffness->assemble(MeridianStiffness::factors_of(harmonic), constraints, matrix);
-  factors.compute(lower_triangle_of(matrix));
+  factors.compute(space.assembled({ MeridianStiffness::factors_of(harmonic) }, constraints).front());
   if (factors.info() != Eigen::Success)
     throw std::runtime_error("The stiffness of harmonic " + std::to_string(harmonic) +
                              " is not positive definite: the mesh is distorted or the body is not fixed.");
@@ -90,19 +97,14 @@ MeridianSpace::Compliances::Compliances(const MeridianSpace &space, unsigned int
     for (Eigen::Index i = first; i < first + size; ++i)
       of_contact.push_back(
         static_cast<unsigned int>(space.contact_nodes[static_cast<std::size_t>(i)][component]));
-  SparsityPattern pattern;
-  space.make_pattern(constraints, pattern);
-  SparseMatrix<double> matrix(pattern);
   std::vector<std::array<double, 3>> sums = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   if (harmonic < 2)
     sums = { MeridianStiffness::factors_of(harmonic) };
-  for (const std::array<double, 3> &factors : sums)
+  for (const LowerTriangle &matrix : space.assembled(sums, constraints))
   {
-    space.stiffness->assemble(factors, constraints, matrix);
-    const LowerTriangle lower = lower_triangle_of(matrix);
-    parts.emplace_back(Eigen::Map<const Eigen::VectorXd>(lower.valuePtr(), lower.nonZeros()));
+    parts.emplace_back(matrix.coeffs());
     if (!inverse)
-      inverse = std::make_unique<BlockInverse>(lower, of_contact);
+      inverse = std::make_unique<BlockInverse>(matrix, of_contact);
   }
 }
 
@@ -132,31 +134,13 @@ HarmonicCompliance MeridianSpace::Compliances::operator()(unsigned int harmonic)
   return result;
 }
 
-void MeridianSpace::find_contact_nodes()
+void MeridianSpace::find_nodes()
 {
   points.resize(dofs.n_dofs());
   DoFTools::map_dofs_to_support_points(mapping(), dofs, points);
-  std::array<std::vector<Dof>, 3> on_contact;
-  for (unsigned int c = 0; c < 3; ++c)
-  {
-    ComponentMask mask(3, false);
-    mask.set(c, true);
-    const IndexSet indices = DoFTools::extract_boundary_dofs(
-      dofs, mask, { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
-    on_contact[c].assign(indices.begin(), indices.end());
-    std::sort(on_contact[c].begin(), on_contact[c].end(),
-              [&](Dof a, Dof b) { return points[a][0] < points[b][0]; });
-  }
-  if (on_contact[0].size() < 2)
-    throw std::invalid_argument(
-      "The meridional mesh has no contact zone: no boundary face carries the id 2.");
-  for (std::size_t i = 0; i < on_contact[0].size(); ++i)
-    contact_nodes.push_back({ on_contact[radial][i], on_contact[azimuthal][i], on_contact[vertical][i] });
-}
-
-void MeridianSpace::find_axis()
-{
-  const double tolerance = 1e-9 * points[contact_nodes.back()[vertical]][0];
+  const IndexSet on_contact = DoFTools::extract_boundary_dofs(
+    dofs, ComponentMask(), { static_cast<types::boundary_id>(FootBoundary::contact_zone) });
+  std::vector<NodeDofs> nodes;
   std::vector<Dof> cell_dofs(element.n_dofs_per_cell());
   std::vector<bool> seen(dofs.n_dofs(), false);
   for (const auto &cell : dofs.active_cell_iterators())
@@ -167,12 +151,23 @@ void MeridianSpace::find_axis()
       NodeDofs node{};
       for (unsigned int c = 0; c < 3; ++c)
         node[c] = cell_dofs[element.component_to_system_index(c, k)];
-      if (points[node[0]][0] > tolerance || seen[node[0]])
+      if (seen[node[radial]])
         continue;
-      seen[node[0]] = true;
-      axis_nodes.push_back(node);
+      seen[node[radial]] = true;
+      nodes.push_back(node);
     }
   }
+  const auto radius = [&](const NodeDofs &node) { return points[node[radial]][0]; };
+  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(contact_nodes),
+               [&](const NodeDofs &node) { return on_contact.is_element(node[radial]); });
+  if (contact_nodes.size() < 2)
+    throw std::invalid_argument(
+      "The meridional mesh has no contact zone: no boundary face carries the id 2.");
+  std::sort(contact_nodes.begin(), contact_nodes.end(),
+            [&](const NodeDofs &a, const NodeDofs &b) { return radius(a) < radius(b); });
+  const double tolerance = 1e-9 * radius(contact_nodes.back());
+  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(axis_nodes),
+               [&](const NodeDofs &node) { return radius(node) <= tolerance; });
 }
 
 AffineConstraints<double> MeridianSpace::make_constraints(unsigned int harmonic) const

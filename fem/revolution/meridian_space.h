@@ -82,15 +82,14 @@ public:
   };
 
 private:
-  void find_contact_nodes();
-  /// Finds the nodes at r = 0; an annular section has none.
-  void find_axis();
+  /// Finds the contact nodes and the nodes at r = 0; an annular section has no nodes at r = 0.
+  void find_nodes();
   /// Returns the constraints of the clamp, of hanging nodes, and of a single-valued displacement on the axis:
   /// along the axis for n = 0, across the axis for n = 1 (u_theta = -u_r), zero for higher harmonics.
   dealii::AffineConstraints<double> make_constraints(unsigned int harmonic) const;
-  /// Creates the sparsity pattern of K_n with @p constraints eliminated.
-  void make_pattern(const dealii::AffineConstraints<double> &constraints,
-                    dealii::SparsityPattern &pattern) const;
+  /// Returns a sum of K_0, K_1 and K_2 for each list of factors in @p sums, with @p constraints eliminated.
+  std::vector<LowerTriangle> assembled(const std::vector<std::array<double, 3>> &sums,
+                                       const dealii::AffineConstraints<double> &constraints) const;
 
   const dealii::MappingQ<2> curves;
   const dealii::FESystem<2> element;
