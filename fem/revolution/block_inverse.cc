@@ -1,7 +1,5 @@
 #include "fem/revolution/block_inverse.h"
 
-#include "fem/revolution/single_thread.h"
-
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/CholmodSupport>
@@ -9,8 +7,10 @@
 
 #include <algorithm>
 #include <cholmod.h>
+#include <dlfcn.h>
 #include <mutex>
 #include <new>
+#include <omp.h>
 #include <stdexcept>
 #include <string>
 
@@ -22,6 +22,25 @@ namespace
 
 /// Serialises BLAS calls, because some BLAS libraries are not thread-safe.
 std::mutex entering_blas;
+
+/// Guards the two numbers below.
+std::mutex holding_threads;
+unsigned int n_holders = 0; ///< number of objects SingleThread
+int blas_threads = 1;       ///< number of BLAS threads while no SingleThread exists
+
+/// Returns the function @p name of the BLAS library; nullptr if the library is not OpenBLAS.
+template <typename Function>
+Function *of_openblas(const char *name)
+{
+  return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// Returns whether several threads may use BLAS together; serial OpenBLAS would give wrong numbers.
+bool blas_takes_threads()
+{
+  const auto built_for_threads = of_openblas<int()>("openblas_get_parallel");
+  return built_for_threads == nullptr || built_for_threads() != 0;
+}
 
 void require_success(bool is_done, const cholmod_common &common)
 {
@@ -35,6 +54,31 @@ void require_success(bool is_done, const cholmod_common &common)
 }
 
 } // namespace
+
+SingleThread::SingleThread()
+    : omp_threads(omp_get_max_threads())
+    , omp_levels(omp_get_max_active_levels())
+{
+  omp_set_num_threads(1);       // also limits an OpenBLAS that is built with OpenMP
+  omp_set_max_active_levels(0); // CHOLMOD would start four more threads per calling thread
+  const std::lock_guard<std::mutex> lock(holding_threads);
+  const auto get = of_openblas<int()>("openblas_get_num_threads");
+  const auto set = of_openblas<void(int)>("openblas_set_num_threads");
+  if (n_holders++ == 0 && get != nullptr && set != nullptr)
+  {
+    blas_threads = get();
+    set(1);
+  }
+}
+
+SingleThread::~SingleThread()
+{
+  omp_set_num_threads(omp_threads);
+  omp_set_max_active_levels(omp_levels);
+  const std::lock_guard<std::mutex> lock(holding_threads);
+  if (const auto set = of_openblas<void(int)>("openblas_set_num_threads"); --n_holders == 0 && set != nullptr)
+    set(blas_threads);
+}
 
 /// Factors L L' of symmetric positive definite matrices of equal pattern, by CHOLMOD. Functions throw
 /// std::runtime_error if CHOLMOD fails, std::bad_alloc without memory.

@@ -20,6 +20,21 @@ using LowerTriangle = Eigen::SparseMatrix<double>;
 /// Returns the lower triangle of the symmetric @p matrix.
 LowerTriangle lower_triangle_of(const dealii::SparseMatrix<double> &matrix);
 
+/// Limits OpenMP in this thread and OpenBLAS in the process to one thread during its lifetime, so that
+/// results do not depend on numbers of threads. Objects may overlap: the first sets OpenBLAS's count, the
+/// last restores it.
+class SingleThread
+{
+public:
+  SingleThread();
+  ~SingleThread();
+  SingleThread(const SingleThread &) = delete;
+  SingleThread &operator=(const SingleThread &) = delete;
+
+private:
+  const int omp_threads, omp_levels; ///< to be restored
+};
+
 /// Selected rows and columns of the inverses of symmetric positive definite matrices of equal pattern. The
 /// selected rows are eliminated last, so that only the end of the factor is needed. Thread-safe; large
 /// matrices are factorised by blocks (BLAS), one after the other.

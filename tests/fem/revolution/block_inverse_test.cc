@@ -1,5 +1,4 @@
 #include "fem/revolution/block_inverse.h"
-#include "fem/revolution/single_thread.h"
 
 #include <Eigen/SparseCholesky>
 #include <gtest/gtest.h>
