@@ -15,7 +15,8 @@ namespace stemware::fem
 {
 
 /// Table whose pressure depends on the local penetration only, integrated along the contact lines. @p
-/// Pressure has, for a penetration d [m], non-decreasing `pressure(d)` [Pa]; `stiffness(d)` = dp/dd [Pa/m];
+/// Pressure has, for a penetration d [m], non-decreasing `pressure(d)` [Pa]; `pressure_and_stiffness(d)`, the
+/// pair of p [Pa] and dp/dd [Pa/m];
 /// `has_edge()` as InterfaceLaw; `integrate(area, depth, visit)`, which calls visit(const LinePoint &) at the
 /// loaded quadrature points of a line with this area element and penetration at the samples;
 /// `cutoff_depth(deepest)`, below which the load is negligible if `deepest` is the largest penetration [m].
@@ -207,13 +208,6 @@ public:
     const Law &law = static_cast<const Law &>(*this);
     law.validate();
     return std::make_unique<PressureLaw<Law>>(surface, law);
-  }
-
-  /// Returns p [Pa] and dp/dd [Pa/m] at a penetration [m]; laws may compute both together.
-  std::pair<double, double> pressure_and_stiffness(double depth) const
-  {
-    const Law &law = static_cast<const Law &>(*this);
-    return { law.pressure(depth), law.stiffness(depth) };
   }
 };
 

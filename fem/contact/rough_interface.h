@@ -52,10 +52,6 @@ struct RoughInterface : PressureInterface<RoughInterface>, Roughness
     const double ratio = depth / decay_length;
     return reference_pressure * (ratio < 0 ? std::exp(ratio) : 1 + ratio);
   }
-  double stiffness(double depth) const
-  {
-    return reference_pressure / decay_length * (depth < 0 ? std::exp(depth / decay_length) : 1);
-  }
   /// Returns p [Pa] and dp/dd [Pa/m], computed with one exponential.
   std::pair<double, double> pressure_and_stiffness(double depth) const
   {

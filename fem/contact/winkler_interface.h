@@ -3,6 +3,7 @@
 #include "fem/contact/pressure_law.h"
 
 #include <cmath>
+#include <utility>
 
 namespace stemware::fem
 {
@@ -31,7 +32,10 @@ struct WinklerInterface : PressureInterface<WinklerInterface>
   double modulus; ///< k [Pa/m]
 
   double pressure(double depth) const { return depth > 0 ? modulus * depth : 0; }
-  double stiffness(double) const { return modulus; }
+  std::pair<double, double> pressure_and_stiffness(double depth) const
+  {
+    return { pressure(depth), modulus };
+  }
   double cutoff_depth(double) const { return 0; }
 
   template <typename Visitor>

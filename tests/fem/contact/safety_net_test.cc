@@ -33,10 +33,10 @@ struct SaturatingInterface : PressureInterface<SaturatingInterface>
   double width;  ///< [m]
 
   double pressure(double depth) const { return middle * (1 + depth / std::hypot(depth, width)); }
-  double stiffness(double depth) const
+  std::pair<double, double> pressure_and_stiffness(double depth) const
   {
     const double ratio = depth / width;
-    return middle / width / std::pow(1 + ratio * ratio, 1.5);
+    return { pressure(depth), middle / width / std::pow(1 + ratio * ratio, 1.5) };
   }
   double cutoff_depth(double) const { return -std::numeric_limits<double>::infinity(); }
   template <typename Visitor>
