@@ -1,7 +1,6 @@
-#include "fem/contact/contact_extent.h"
-
 #include "fem/contact/azimuthal_density.h"
 #include "fem/contact/line_integral.h"
+#include "fem/contact/pressure_law.h"
 #include "ring_model/load/constants.h"
 
 #include <algorithm>
@@ -16,9 +15,6 @@ namespace
 {
 
 constexpr double two_pi = 2 * ring::pi;
-
-/// Pressures below this fraction of the maximum pressure are rounding errors.
-constexpr double rounding_share = 1e-11;
 
 /// Returns the maximum on [-1, 1] of the quadratic through @p samples at -1, 0 and 1.
 double peak_of(const Eigen::Vector3d &samples)
@@ -77,7 +73,7 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
   ContactExtent extent;
   extent.peak_pressure = pressure(deepest);
   // Penetration at the edge of contact, where the pressure is zero up to rounding.
-  const double edge = law.penetration_at(rounding_share * extent.peak_pressure);
+  const double edge = law.penetration_at(ContactExtent::rounding_share * extent.peak_pressure);
 
   std::vector<AzimuthValue> cuts;
   if (surface.lines_are_radial)
@@ -115,26 +111,6 @@ ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<E
     areas += total_and_unloaded_area(surface.lines[i], depths[i].array() - edge);
   areas = surface.parts.sum(areas);
   extent.area_share = 1 - std::min(1., areas(1) / areas(0));
-  return extent;
-}
-
-ContactExtent extent_of_nodes(const ContactSurface &surface, const Eigen::VectorXd &forces)
-{
-  const Eigen::Index n = surface.n_owned_nodes();
-  const auto areas = surface.node_area.head(n).array();
-  const auto own = forces.head(n).array();
-  const double largest = surface.parts.max_entry(own);
-  ContactExtent extent;
-  extent.peak_pressure = surface.parts.max_entry(own / areas);
-  const std::vector<AzimuthValue> density = density_of_nodes(surface, forces);
-  const auto n_loaded =
-    std::count_if(density.begin(), density.end(),
-                  [&](const AzimuthValue &sector) { return sector.value > rounding_share * largest; });
-  const double azimuth_share = static_cast<double>(n_loaded) / static_cast<double>(density.size());
-  if (surface.is_ring)
-    extent.azimuth_share = azimuth_share;
-  const double unloaded_area = surface.parts.sum((own > rounding_share * largest).select(0, areas).sum());
-  extent.area_share = surface.is_crowned ? azimuth_share : 1 - std::min(1., unloaded_area / surface.area());
   return extent;
 }
 

@@ -1,6 +1,6 @@
 #include "fem/contact/hard_interface.h"
 
-#include "fem/contact/contact_extent.h"
+#include <algorithm>
 
 namespace stemware::fem
 {
@@ -47,7 +47,21 @@ public:
 
   ContactExtent extent(const ContactSolution &solution) const override
   {
-    return extent_of_nodes(surface, solution.forces);
+    const Eigen::Index n = surface.n_owned_nodes();
+    const auto areas = surface.node_area.head(n).array();
+    const auto own = solution.forces.head(n).array();
+    const double loaded = ContactExtent::rounding_share * surface.parts.max_entry(own);
+    ContactExtent extent;
+    extent.peak_pressure = surface.parts.max_entry(own / areas);
+    const std::vector<AzimuthValue> density = density_of_nodes(surface, solution.forces);
+    const auto n_loaded = std::count_if(density.begin(), density.end(),
+                                        [&](const AzimuthValue &sector) { return sector.value > loaded; });
+    const double azimuth_share = static_cast<double>(n_loaded) / static_cast<double>(density.size());
+    if (surface.is_ring)
+      extent.azimuth_share = azimuth_share;
+    const double unloaded_area = surface.parts.sum((own > loaded).select(0, areas).sum());
+    extent.area_share = surface.is_crowned ? azimuth_share : 1 - std::min(1., unloaded_area / surface.area());
+    return extent;
   }
 
   PressureMap pressure_map(const ContactSolution &solution) const override

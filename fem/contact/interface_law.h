@@ -43,6 +43,13 @@ public:
   virtual std::unique_ptr<TableLaw> make(const ContactSurface &surface, double penalty) const = 0;
 };
 
+/// Parameters of the pressure law of a rough surface, RoughInterface.
+struct Roughness
+{
+  double reference_pressure = 1e9; ///< p0, at touching mean planes [Pa]
+  double decay_length = 1e-6;      ///< s [m], half the rms roughness
+};
+
 /// Throws std::invalid_argument with @p name, @p unit and @p example unless @p value is positive and finite.
 inline void require_positive(const char *name, double value, const char *unit, const char *example)
 {

@@ -1,18 +1,23 @@
 #pragma once
 
-#include "fem/contact/contact_extent.h"
 #include "fem/contact/interface_law.h"
 #include "fem/contact/line_integral.h"
 #include "fem/contact/line_pattern.h"
 #include "fem/contact/table_law.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <utility>
 #include <vector>
 
 namespace stemware::fem
 {
+
+/// Returns the extent of a contact from the penetrations @p depths [m] at the samples of each line of @p
+/// surface, and the local law @p pressure(penetration [m]) [Pa].
+ContactExtent extent_of_lines(const ContactSurface &surface, const std::vector<Eigen::Vector3d> &depths,
+                              const InterfaceLaw &law, const std::function<double(double)> &pressure);
 
 /// Table whose pressure depends on the local penetration only, integrated along the contact lines. @p
 /// Pressure has, for a penetration d [m], non-decreasing `pressure(d)` [Pa]; `pressure_and_stiffness(d)`, the

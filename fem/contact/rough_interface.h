@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/contact/pressure_law.h"
-#include "fem/contact/roughness.h"
 
 #include <algorithm>
 #include <cmath>

@@ -43,9 +43,10 @@ struct TableLoad
   std::vector<AzimuthValue> density;
 };
 
-/// Part of the land that is under pressure. A pressure below 1e-11 of the largest is rounding.
+/// Part of the land that is under pressure.
 struct ContactExtent
 {
+  static constexpr double rounding_share = 1e-11; ///< smaller pressures, over the largest, are rounding
   /// Share of the land's area; on a crowned land, share of the area of azimuths with a point under pressure.
   double area_share = 0;
   /// Share of the azimuths with a point under pressure; std::nullopt unless the land is a ring.

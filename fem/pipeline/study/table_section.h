@@ -1,6 +1,6 @@
 #pragma once
 
-#include "fem/contact/roughness.h"
+#include "fem/contact/interface_law.h"
 #include "fem/contact/table.h"
 #include "fem/geometry/elastic_material.h"
 #include "fem/pipeline/study/entry_facts.h"
