@@ -189,8 +189,11 @@ public:
     step = 1e-3 / std::max(push / spin_scale, 1.);
     is_stiff = stiff_motion(direction()).is_stiff(now, end, times.size());
     constexpr unsigned int max_stretches = 100000;
-    for (unsigned int n = 0; samples.size() < times.size(); ++n)
+    for (unsigned int n = 0;; ++n)
     {
+      add_due();
+      if (samples.size() == times.size())
+        return std::move(samples);
       if (n > max_stretches)
         throw NoBalance(
           sentence("the spin changes its sign at t = ", origin + now.time, " s again and again"));
@@ -201,7 +204,6 @@ public:
       else
         turn(turns);
     }
-    return std::move(samples);
   }
 
 private:
@@ -250,6 +252,12 @@ private:
     return samples.size() < wanted->size() && (*wanted)[samples.size()] * (1. - 1e-15) <= time;
   }
 
+  void add_due()
+  {
+    while (is_due(now.time))
+      add(now);
+  }
+
   /// Returns the root of @p positive, which changes sign between @p from and @p to, rounded towards @p to.
   template <typename Function>
   static double end_of(const Function &positive, double from, double to)
@@ -267,20 +275,14 @@ private:
     const auto excess = [&](double time) {
       return std::abs(free_torque({ time, now.yaw_angle, 0. })) - grip;
     };
-    for (;;)
+    for (; samples.size() < wanted->size(); add_due())
     {
-      while (is_due(now.time))
-        add(now);
-      if (samples.size() == wanted->size())
-        return;
       const double next = std::min({ (*wanted)[samples.size()], next_break(now.time), now.time + look });
       if (excess(next) > 0.)
       {
         // The excess may be exactly 0 at now.time, so the bracket begins slightly later.
         const double first = now.time + 1e-9 * (next - now.time);
         now.time = excess(first) < 0. ? end_of(excess, first, next) : first;
-        while (is_due(now.time))
-          add(now);
         step = 1e-3;
         return;
       }
@@ -306,8 +308,6 @@ private:
       return { time, state[0], state[1] * spin_scale };
     };
     const auto before = [&](double time) { return before_stop(turns, state_at(time).omega); };
-    while (is_due(now.time))
-      add(now);
     for (unsigned int n_steps = 0; samples.size() < wanted->size();)
     {
       const double from = stepper.current_time(), last = next_break(from);
@@ -345,8 +345,6 @@ private:
   void turn_stiffly(int turns)
   {
     const StiffMotion motion = stiff_motion(turns);
-    while (is_due(now.time))
-      add(now);
     for (unsigned int n_steps = 0; samples.size() < wanted->size(); ++n_steps)
     {
       const double last = std::min((*wanted)[samples.size()], next_break(now.time));
