@@ -14,27 +14,6 @@
 namespace stemware::fem
 {
 
-namespace
-{
-
-/// Returns the distance [m] from the axis to the border of the nodes' convex hull along @p direction (unit
-/// vector): the minimum distance, along @p direction, to a tangent of the hull. For a moment balance, the
-/// moment weights of @p conditions replace the positions. The hull of a ring is assumed to be a circle.
-double distance_to_hull(const LinearConditions &conditions, const Eigen::Vector2d &direction, bool is_ring)
-{
-  if (is_ring)
-    return conditions.reach(direction);
-  const Eigen::Vector2d across(-direction(1), direction(0));
-  // The distance is a convex function of tan(angle), so it has a single minimum.
-  const auto to_tangent = [&](double angle)
-  { return conditions.reach(direction + std::tan(angle) * across); };
-  constexpr double limit = ring::pi / 2 - 1e-6;
-  constexpr int bits = std::numeric_limits<double>::digits;
-  return boost::math::tools::brent_find_minima(to_tangent, -limit, limit, bits).second;
-}
-
-} // namespace
-
 LinearConditions::LinearConditions(const ContactSurface &surface, Eigen::MatrixX3d weights,
                                    const Eigen::Vector3d &target, const Eigen::Matrix3d &motion_weights)
     : L(std::move(weights))
@@ -66,7 +45,16 @@ void LinearConditions::require_possible(double radius, bool is_ring) const
   const Eigen::Vector2d centre = t.tail<2>() / t(0);
   if (centre.norm() == 0)
     return;
-  const double limit = distance_to_hull(*this, centre.normalized(), is_ring);
+  // The distance from the axis to the convex hull's border is the minimum distance, along the centre's
+  // direction, to a tangent of the hull: a convex function of the tangent of its angle. For a moment balance,
+  // the moment weights replace the positions. The hull of a ring is assumed to be a circle.
+  const Eigen::Vector2d direction = centre.normalized(), across(-direction(1), direction(0));
+  const auto to_tangent = [&](double angle)
+  { return parts.max_entry(L.rightCols<2>() * (direction + std::tan(angle) * across)); };
+  constexpr double widest = ring::pi / 2 - 1e-6;
+  constexpr int bits = std::numeric_limits<double>::digits;
+  const double limit =
+    is_ring ? to_tangent(0) : boost::math::tools::brent_find_minima(to_tangent, -widest, widest, bits).second;
   if (centre.norm() < limit)
     return;
   throw TippingDemand(sentence("the centre of pressure lies ", centre.norm(),

@@ -43,12 +43,6 @@ public:
     return parts.sum(L.transpose() * forces) + H * motion - t;
   }
 
-  /// Returns the largest component in @p direction of a node's second and third weight, over all parts [m].
-  double reach(const Eigen::Vector2d &direction) const
-  {
-    return parts.max_entry(L.rightCols<2>() * direction);
-  }
-
   /// Throws TippingDemand if the required centre of pressure lies outside the convex hull of the contact
   /// nodes. @p radius: R, for the message [m]; @p is_ring as in ContactSurface.
   void require_possible(double radius, bool is_ring) const;
