@@ -26,13 +26,13 @@ public:
   /// Sums of f, f y, -f x, f r, f r^2 over the point forces f.
   using Moments = Eigen::Matrix<double, 5, 1>;
 
-  /// An empty list of @p radii means a single ring.
   AzimuthSums(const std::vector<double> &radii, unsigned int n_harmonics)
-      : shares(radii.empty() ? std::vector<double>{ 1 } : radii)
-      , a(std::max<std::size_t>(radii.size(), 1), std::vector<double>(n_harmonics + 1, 0))
-      , b(a)
-      , of_rings(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(a.size())))
+      : shares(radii)
+      , of_rings(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(radii.size())))
   {
+    const std::vector<double> zeros(n_harmonics + 1, 0);
+    for (const double radius : radii)
+      rings.push_back({ radius, zeros, zeros });
   }
 
   void add(const PointForce &point)
@@ -53,24 +53,17 @@ public:
   {
     flush();
     sums = parts.sum(sums);
-    for (std::size_t j = 0; j < a.size(); ++j)
+    for (ring::RingStack::Ring &ring : rings)
     {
-      parts.sum_in_place(a[j]);
-      parts.sum_in_place(b[j]);
-      a[j][0] /= 2;
-      b[j][0] = 0;
+      parts.sum_in_place(ring.a);
+      parts.sum_in_place(ring.b);
+      ring.a[0] /= 2;
+      ring.b[0] = 0;
     }
   }
 
-  const Moments &moments() const { return sums; }
-
-  std::vector<ring::RingStack::Ring> rings(const std::vector<double> &radii) const
-  {
-    std::vector<ring::RingStack::Ring> rings;
-    for (std::size_t j = 0; j < a.size(); ++j)
-      rings.push_back({ radii[j], a[j], b[j] });
-    return rings;
-  }
+  Moments sums = Moments::Zero();
+  std::vector<ring::RingStack::Ring> rings;
 
 private:
   void flush()
@@ -78,14 +71,14 @@ private:
     sums +=
       (Moments() << on_line(0), on_line(1) * sine, -on_line(1) * cosine, on_line(1), on_line(2)).finished();
     on_line.setZero();
-    for (std::size_t j = 0; j < a.size(); ++j)
+    for (std::size_t j = 0; j < rings.size(); ++j)
     {
       double even = of_rings(static_cast<Eigen::Index>(j)) / pi;
       double odd = 0;
-      for (std::size_t n = 0; n < a[j].size(); ++n)
+      for (std::size_t n = 0; n < rings[j].a.size(); ++n)
       {
-        a[j][n] += even;
-        b[j][n] += odd;
+        rings[j].a[n] += even;
+        rings[j].b[n] += odd;
         const double next = even * cosine - odd * sine;
         odd = even * sine + odd * cosine;
         even = next;
@@ -96,10 +89,7 @@ private:
 
   const RingWeights shares;
   Eigen::Vector3d on_line = Eigen::Vector3d::Zero(); ///< sums of f, f r, f r^2 on the current line
-  Moments sums = Moments::Zero();
-  std::vector<std::vector<double>> a;
-  std::vector<std::vector<double>> b;
-  Eigen::VectorXd of_rings; ///< force of the current line on each ring
+  Eigen::VectorXd of_rings;                          ///< force of the current line on each ring
   double cosine = 1;
   double sine = 0;
 };
@@ -198,16 +188,17 @@ ContactLoad ContactLoad::rotated(double angle) const
 ContactLoad harmonics_of(const std::vector<PointForce> &forces, unsigned int n_harmonics,
                          const std::vector<double> &radii, const SurfaceParts &parts)
 {
-  AzimuthSums sums(radii, n_harmonics);
+  AzimuthSums sums(radii.empty() ? std::vector<double>{ 1 } : radii, n_harmonics);
   for (const PointForce &point : forces)
     sums.add(point);
   sums.finish(parts);
-  const AzimuthSums::Moments &moments = sums.moments();
+  const AzimuthSums::Moments &moments = sums.sums;
   if (!(moments(0) > 0))
     throw std::invalid_argument("There is no load on the table, so there are no load harmonics.");
   const double mean_radius = moments(3) / moments(0);
-  std::vector<ring::RingStack::Ring> rings =
-    sums.rings(radii.empty() ? std::vector<double>{ moments(4) / moments(3) } : radii);
+  std::vector<ring::RingStack::Ring> rings = std::move(sums.rings);
+  if (radii.empty())
+    rings.front().radius = moments(4) / moments(3);
   double rotation = 0;
   const double moment = std::hypot(moments(1), moments(2));
   const double even = n_harmonics > 0 ? rings.front().a[1] : 0,
