@@ -28,26 +28,6 @@ ContactStart hardened(ContactStart start, const ContactSurface &surface, double 
   return start;
 }
 
-/// Returns an initial guess from solves on gradually stiffer interfaces; std::nullopt if @p softening is 1.
-std::optional<ContactStart> start_on_coarsest_mesh(SolidBody &body, const InterfaceLaw &interface,
-                                                   double softening, const ContactDemand &demand,
-                                                   double radius)
-{
-  std::optional<ContactStart> start;
-  if (softening == 1)
-    return start;
-  const ContactSurface &surface = body.contact_surface();
-  const LinearConditions conditions = conditions_of(surface, demand);
-  for (unsigned int n = 4; n > 0; --n)
-  {
-    const auto law = interface.softened(std::pow(softening, n))->make(surface, 0);
-    const ContactSolution solution =
-      solve_contact(body, *law, conditions, radius, coarse_control(softening), start ? &*start : nullptr);
-    start = hardened({ solution.motion, solution.normal_displacement }, surface, softening);
-  }
-  return start;
-}
-
 } // namespace
 
 std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const InterfaceLaw &interface,
@@ -61,18 +41,24 @@ std::optional<ContactStart> start_from_coarser_mesh(SolidBody &body, const Inter
   const std::shared_ptr<const InterfaceLaw> softer = interface.softened(softening);
   try
   {
-    const std::optional<ContactStart> start =
-      coarse->has_coarser_mesh() ? start_from_coarser_mesh(*coarse, *softer, softening, demand, radius)
-                                 : start_on_coarsest_mesh(*coarse, *softer, softening, demand, radius);
-    const std::unique_ptr<TableLaw> law = softer->make(coarse->contact_surface(), 0);
-    const ContactSolution solution =
-      solve_contact(*coarse, *law, conditions_of(coarse->contact_surface(), demand), radius,
-                    coarse_control(softening), start ? &*start : nullptr);
+    const ContactSurface &on_coarse = coarse->contact_surface(), &surface = body.contact_surface();
+    const LinearConditions conditions = conditions_of(on_coarse, demand);
+    std::optional<ContactStart> start;
+    unsigned int n_laws = 1;
+    if (coarse->has_coarser_mesh())
+      start = start_from_coarser_mesh(*coarse, *softer, softening, demand, radius);
+    else if (softening != 1)
+      n_laws = 5; // the contact on the coarsest mesh is found by gradual stiffening
+    while (n_laws-- > 0)
+    {
+      const auto law = softer->softened(std::pow(softening, n_laws))->make(on_coarse, 0);
+      const ContactSolution solution = solve_contact(*coarse, *law, conditions, radius,
+                                                     coarse_control(softening), start ? &*start : nullptr);
+      start = hardened({ solution.motion, solution.normal_displacement }, on_coarse, softening);
+    }
     body.interpolate_from(*coarse);
-    const ContactSurface &surface = body.contact_surface();
-    return hardened(
-      { solution.motion, body.contact_displacement() + surface.motion_modes() * solution.motion }, surface,
-      softening);
+    return hardened({ start->motion, body.contact_displacement() + surface.motion_modes() * start->motion },
+                    surface, softening);
   }
   catch (const ContactFailure &)
   {
