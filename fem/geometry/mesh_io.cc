@@ -234,8 +234,6 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
                                 "nodes cannot be kept; export smaller hexahedra of first order.");
 
   MeshReport report;
-  report.n_cells = serial.n_active_cells();
-  report.n_contact_faces = count_faces(serial, FootBoundary::contact_zone);
   report.round_rim = border.is_round();
   report.rim_radius = border.middle();
   report.n_symmetry_sectors = n_symmetry_sectors(serial);

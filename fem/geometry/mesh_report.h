@@ -6,8 +6,6 @@ namespace stemware::fem
 /// Report on a mesh file that has been read.
 struct MeshReport
 {
-  unsigned int n_cells = 0;
-  unsigned int n_contact_faces = 0;
   /// True if the rim vertices lie on circles to 1e-6 of the radius; then a cylindrical manifold is attached.
   bool round_rim = false;
   double rim_radius = 0;               ///< (inner + outer)/2 of the contact zone [m]

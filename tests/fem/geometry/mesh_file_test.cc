@@ -37,15 +37,14 @@ TEST(MeshFile, SecondOrderElementsAreReadAsFirstOrderElements)
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
   dealii::Triangulation<3> first;
   const TemporaryFile of_first(gmsh_text(drawn));
-  const MeshReport expected = read_foot_mesh(of_first.name, first);
+  read_foot_mesh(of_first.name, first);
   for (const bool format_4 : { false, true })
   {
     SCOPED_TRACE(format_4);
     const TemporaryFile file(gmsh_text_of_second_order(drawn, format_4));
     dealii::Triangulation<3> mesh;
     const MeshReport report = read_foot_mesh(file.name, mesh);
-    EXPECT_EQ(report.n_cells, expected.n_cells);
-    EXPECT_EQ(report.n_contact_faces, expected.n_contact_faces);
+    EXPECT_EQ(mesh.n_active_cells(), first.n_active_cells());
     EXPECT_TRUE(report.round_rim);
     EXPECT_EQ(mesh.n_used_vertices(), drawn.n_used_vertices());
     EXPECT_NEAR(dealii::GridTools::volume(mesh) / dealii::GridTools::volume(first), 1, 1e-14);
