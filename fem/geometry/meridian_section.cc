@@ -95,10 +95,10 @@ Polyline ordered(Polyline polyline)
   return simple;
 }
 
-/// Returns the angle between the x axis and the segment from point @p i to point i + 1 [rad], in [0, pi/2].
-double steepness(const PiecewiseLinear &curve, std::size_t i)
+/// Returns the slope angle of the segment from point @p i to point i + 1 [rad].
+double direction(const PiecewiseLinear &curve, std::size_t i)
 {
-  return std::atan2(std::abs(curve.y[i + 1] - curve.y[i]), curve.x[i + 1] - curve.x[i]);
+  return std::atan2(curve.y[i + 1] - curve.y[i], curve.x[i + 1] - curve.x[i]);
 }
 
 } // namespace
@@ -225,11 +225,11 @@ void MeridianSection::find_rounding()
     std::atan2(std::abs(upper.y.back() - upper.y.front()), upper.x.back() - upper.x.front());
   const double foot_limit = mean + 0.15 * (half_right - mean);
   std::size_t i = 0;
-  while (i + 1 < upper.x.size() && upper.x[i] < edge && steepness(upper, i) > foot_limit)
+  while (i + 1 < upper.x.size() && upper.x[i] < edge && std::abs(direction(upper, i)) > foot_limit)
     ++i;
   fillet_end = i + 1 < upper.x.size() && upper.x[i] < edge ? upper.x[i] : middle_radius();
   std::size_t j = 0;
-  while (j + 1 < stem.x.size() && steepness(stem, j) > 0.15 * half_right)
+  while (j + 1 < stem.x.size() && std::abs(direction(stem, j)) > 0.15 * half_right)
     ++j;
   stem_start = j + 1 < stem.x.size() ? stem.x[j] : middle_height();
 }
@@ -240,13 +240,9 @@ std::vector<double> MeridianSection::corner_radii() const
   std::vector<double> radii;
   for (const PiecewiseLinear *curve : { &lower, &upper })
     for (std::size_t i = 1; i + 1 < curve->x.size(); ++i)
-    {
-      const auto direction = [&](std::size_t j)
-      { return std::atan2(curve->y[j + 1] - curve->y[j], curve->x[j + 1] - curve->x[j]); };
       if (curve->x[i] > fillet_end && curve->x[i] < edge &&
-          std::abs(direction(i) - direction(i - 1)) > smallest_bend)
+          std::abs(direction(*curve, i) - direction(*curve, i - 1)) > smallest_bend)
         radii.push_back(curve->x[i]);
-    }
   std::sort(radii.begin(), radii.end());
   return radii;
 }
