@@ -25,25 +25,6 @@ using namespace dealii;
 namespace
 {
 
-double scaled_jacobian(const Triangulation<3>::active_cell_iterator &cell)
-{
-  double least = 1;
-  for (const unsigned int v : cell->vertex_indices())
-  {
-    // deal.II numbers vertices so that bit d of the number is the reference coordinate d.
-    std::array<Tensor<1, 3>, 3> edges;
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      const unsigned int bit = 1u << d;
-      edges[d] = (cell->vertex(v | bit) - cell->vertex(v & ~bit));
-    }
-    const double lengths = edges[0].norm() * edges[1].norm() * edges[2].norm();
-    const double product = cross_product_3d(edges[0], edges[1]) * edges[2];
-    least = std::min(least, lengths > 0 ? product / lengths : -1);
-  }
-  return least;
-}
-
 void check_cells(const Triangulation<3> &triangulation, MeshCheck &check)
 {
   const std::vector<double> jacobians = scaled_jacobians(triangulation);
@@ -177,9 +158,19 @@ unsigned int n_contact_zones(const Triangulation<3> &triangulation)
 
 std::vector<double> scaled_jacobians(const Triangulation<3> &triangulation)
 {
-  std::vector<double> jacobians(triangulation.n_active_cells());
+  std::vector<double> jacobians(triangulation.n_active_cells(), 1);
   for (const auto &cell : triangulation.active_cell_iterators())
-    jacobians[cell->active_cell_index()] = scaled_jacobian(cell);
+    for (const unsigned int v : cell->vertex_indices())
+    {
+      // deal.II numbers vertices so that bit d of the number is the reference coordinate d.
+      std::array<Tensor<1, 3>, 3> edges;
+      for (unsigned int d = 0; d < 3; ++d)
+        edges[d] = cell->vertex(v | (1u << d)) - cell->vertex(v & ~(1u << d));
+      const double lengths = edges[0].norm() * edges[1].norm() * edges[2].norm();
+      const double product = cross_product_3d(edges[0], edges[1]) * edges[2];
+      double &least = jacobians[cell->active_cell_index()];
+      least = std::min(least, lengths > 0 ? product / lengths : -1);
+    }
   return jacobians;
 }
 
