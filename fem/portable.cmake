@@ -15,7 +15,6 @@ set(STEMWARE_PORTABLE
     fem/geometry/require.
     fem/geometry/rim_circle.
     fem/geometry/section_lengths.
-    fem/geometry/table_disc.
     fem/geometry/waviness.
     fem/contact/
     fem/revolution/body_of_revolution.

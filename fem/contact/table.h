@@ -1,8 +1,8 @@
 #pragma once
 
 #include "fem/contact/interface_law.h"
+#include "fem/geometry/contact_cells.h"
 #include "fem/geometry/elastic_material.h"
-#include "fem/geometry/table_disc.h"
 
 #include <memory>
 #include <optional>

@@ -108,6 +108,15 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
 
 } // namespace
 
+void TableDisc::validate(const GlassProfile &profile) const
+{
+  require(std::isfinite(thickness) && thickness > 0, "Disc thickness = ", thickness,
+          " m is not allowed; give a finite number greater than 0.");
+  require(std::isfinite(radius) && radius > profile.land_outer_radius(), "Disc radius = ", radius,
+          " m is not allowed; it must be larger than the outer radius of the land, ",
+          profile.land_outer_radius(), " m.");
+}
+
 void MeridianResolution::validate() const
 {
   require(land_cells >= 2 && land_cells % 2 == 0, "Radial cells = ", land_cells,

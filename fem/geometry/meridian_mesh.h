@@ -1,7 +1,6 @@
 #pragma once
 
 #include "fem/geometry/contact_cells.h"
-#include "fem/geometry/table_disc.h"
 #include "fem/geometry/triangulation.h"
 
 namespace stemware::fem
