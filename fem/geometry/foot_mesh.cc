@@ -348,32 +348,27 @@ void mark_boundaries(const GlassProfile &profile, Triangulation<3> &triangulatio
     }
 }
 
-void halve_where(const std::function<bool(double radius, double height)> &is_near,
-                 Triangulation<3> &triangulation)
-{
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      if (cell->is_locally_owned() &&
-          is_near(std::hypot(cell->vertex(v)[0], cell->vertex(v)[1]), cell->vertex(v)[2]))
-        cell->set_refine_flag();
-  triangulation.execute_coarsening_and_refinement();
-}
-
 /// For a step, halves the cells with a vertex on the inner edge of the land. For a smooth underside, halves
-/// the cells within one cell width @p cell [m] of this edge.
-void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double cell,
+/// the cells within one cell width @p size [m] of this edge.
+void refine_edge(const GlassProfile &profile, unsigned int n_halvings, double size,
                  Triangulation<3> &triangulation)
 {
   const double inner = profile.land_inner_radius(), tolerance = 1e-6 * profile.land_width;
-  for (unsigned int i = 0; i < n_halvings; ++i, cell /= 2)
-    halve_where(
-      [&](double radius, double height)
-      {
-        return profile.shape == GlassShape::step
-                 ? height < profile.land_height + tolerance && std::abs(radius - inner) < tolerance
-                 : std::hypot(radius - inner, height) < 1.001 * cell;
-      },
-      triangulation);
+  const auto is_near = [&](double radius, double height)
+  {
+    return profile.shape == GlassShape::step
+             ? height < profile.land_height + tolerance && std::abs(radius - inner) < tolerance
+             : std::hypot(radius - inner, height) < 1.001 * size;
+  };
+  for (unsigned int i = 0; i < n_halvings; ++i, size /= 2)
+  {
+    for (const auto &cell : triangulation.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (cell->is_locally_owned() &&
+            is_near(std::hypot(cell->vertex(v)[0], cell->vertex(v)[1]), cell->vertex(v)[2]))
+          cell->set_refine_flag();
+    triangulation.execute_coarsening_and_refinement();
+  }
 }
 
 } // namespace
