@@ -16,6 +16,7 @@
 #include <iomanip>
 #include <map>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -248,16 +249,12 @@ MeshReport read_foot_mesh(const std::string &file_name, Triangulation<3> &triang
 
 void move_to_crown(const GlassProfile &profile, Triangulation<3> &triangulation)
 {
-  std::vector<bool> moved(triangulation.n_vertices(), false);
+  std::set<unsigned int> moved;
   for (const auto &face : triangulation.active_face_iterators())
     if (is_on(face, FootBoundary::contact_zone))
       for (const unsigned int v : face->vertex_indices())
-        if (!moved[face->vertex_index(v)])
-        {
-          moved[face->vertex_index(v)] = true;
-          Point<3> &x = face->vertex(v);
-          x[2] += profile.gap(std::hypot(x[0], x[1]));
-        }
+        if (moved.insert(face->vertex_index(v)).second)
+          face->vertex(v)[2] += profile.gap(std::hypot(face->vertex(v)[0], face->vertex(v)[1]));
 }
 
 void write_msh(const Triangulation<3> &triangulation, std::ostream &stream)
