@@ -36,8 +36,7 @@ TEST(MeshFile, SecondOrderElementsAreReadAsFirstOrderElements)
   dealii::Triangulation<3> drawn;
   make_foot_mesh(flat_profile(), { 24, 2, 1 }, drawn);
   dealii::Triangulation<3> first;
-  const TemporaryFile of_first(gmsh_text(drawn));
-  read_foot_mesh(of_first.name, first);
+  read_foot_mesh(TemporaryFile(gmsh_text(drawn)).name, first);
   for (const bool format_4 : { false, true })
   {
     SCOPED_TRACE(format_4);
