@@ -23,8 +23,8 @@ std::string elements_of(const FootSpecification &specification)
   Study bare;
   bare.glass = specification.study.glass;
   bare.contact = specification.study.contact;
-  std::string text =
-    study_identity(bare) + fmt::format(FMT_STRING("{}\n"), specification.study.edge_halvings());
+  std::string text = study_as_prm(with_paths_from("/", bare)) +
+                     fmt::format(FMT_STRING("{}\n"), specification.study.edge_halvings());
   for (const std::vector<unsigned int> &cells : specification.discretisation.halved_cells)
     text += fmt::format(FMT_STRING("halved {}\n"), fmt::join(cells, " "));
   return text;

@@ -387,13 +387,6 @@ std::string study_as_prm(const Study &study)
   return prm_text(entries_of(copy), false);
 }
 
-std::string study_identity(Study study)
-{
-  for (std::string *path : paths_of(study_entries(study)))
-    *path = std::filesystem::absolute(*path).lexically_normal().string();
-  return study_as_prm(study);
-}
-
 std::string commented_defaults(const std::string &section)
 {
   std::vector<StudyEntry> entries = default_entries();

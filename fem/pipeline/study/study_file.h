@@ -54,9 +54,6 @@ Json study_as_json(const std::vector<StudyEntry> &entries);
 /// Returns the study as a .prm file.
 std::string study_as_prm(const Study &study);
 
-/// Returns a text that is equal for equal studies, independent of the working directory.
-std::string study_identity(Study study);
-
 /// Returns the defaults, or those of one @p section (ignoring case), as a .prm file with help, unit and
 /// allowed values as comments. Throws BadInput for an unknown section.
 std::string commented_defaults(const std::string &section = "");
