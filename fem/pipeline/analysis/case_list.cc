@@ -95,7 +95,7 @@ VariedEntry parse_varied(const std::string &text)
   const auto equal_sign = text.find('=');
   ensure(equal_sign != text.npos && text.find('/') < equal_sign,
          quoted + "is not of the form \"Section/Entry=values\"; `stemware sweep --help` shows examples.");
-  const StudyEntry entry = find_entry("--vary", boost::trim_copy(text.substr(0, equal_sign)));
+  const StudyEntry entry = find_entry("--vary: ", boost::trim_copy(text.substr(0, equal_sign)));
   const std::string given = boost::trim_copy(text.substr(equal_sign + 1));
   ensure(!given.empty(), quoted + "names no values; write \"" + entry.path() + "=first:last:number\".");
   VariedEntry varied = { entry.path(), entry.unit };
@@ -194,10 +194,9 @@ CaseList cases_from_file(const std::string &file)
   for (std::size_t i = 0; i < header.cells.size(); ++i)
   {
     const auto [name, unit] = parse_heading(header.cells[i]);
-    std::string place = position_in_table(list.origin, header.line, i);
-    place.resize(place.size() - 2); // find_entry() adds the colon
+    const std::string place = position_in_table(list.origin, header.line, i);
     entries.push_back(find_entry(place, name));
-    require_unit(entries.back(), name, unit, place + ": ");
+    require_unit(entries.back(), name, unit, place);
     units.push_back(unit);
     list.entries.push_back({ entries.back().path(), entries.back().unit });
   }

@@ -296,9 +296,9 @@ void assign(const std::vector<StudyEntry> &entries, const std::string &origin, c
   assign(entry_at(entries, origin, path), origin, value);
 }
 
-StudyEntry find_entry(const std::string &option, const std::string &path)
+StudyEntry find_entry(const std::string &origin, const std::string &path)
 {
-  return entry_at(entries_of(Study()), option + ": ", path);
+  return entry_at(entries_of(Study()), origin, path);
 }
 
 std::string with_entries(const std::string &message)

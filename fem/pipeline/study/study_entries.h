@@ -75,8 +75,8 @@ void assign(const StudyEntry &entry, const std::string &origin, const std::strin
 void assign(const std::vector<StudyEntry> &entries, const std::string &origin, const std::string &path,
             const std::string &value);
 
-/// Returns a copy of entry_at() @p path of the default study, with @p option as the origin.
-StudyEntry find_entry(const std::string &option, const std::string &path);
+/// Returns a copy of entry_at() @p path of the default study.
+StudyEntry find_entry(const std::string &origin, const std::string &path);
 
 /// Returns @p message, written by a library of fem/, with names of entries replaced by their paths:
 /// "Glass/Foot radius" for "foot radius". Replaces names of at least two words in the sections Glass, Table
