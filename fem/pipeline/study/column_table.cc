@@ -94,17 +94,12 @@ private:
     return parse_number(table.with_point(cell));
   }
 
-  bool is_row_of_numbers(const TableRow<std::string> &row) const
-  {
-    const auto end = row.cells.begin() + static_cast<std::ptrdiff_t>(n_cells(row));
-    return n_cells(row) >= columns.size() &&
-           std::all_of(row.cells.begin(), end, [&](const auto &cell) { return number_in(cell).has_value(); });
-  }
-
   std::optional<Layout> layout_by_heading() const
   {
     const TableRow<std::string> &row = table.rows.front();
-    if (is_row_of_numbers(row))
+    if (n_cells(row) >= columns.size() &&
+        std::all_of(row.cells.begin(), row.cells.begin() + static_cast<std::ptrdiff_t>(n_cells(row)),
+                    [&](const auto &cell) { return number_in(cell).has_value(); }))
       return std::nullopt;
     Layout layout;
     std::vector<std::string> headings;
@@ -137,21 +132,15 @@ private:
     const bool has_number = std::any_of(row.cells.begin(), row.cells.end(),
                                         [&](const auto &cell) { return number_in(cell).has_value(); });
     const bool is_long = n_cells(row) > columns.size() && !number_in(row.cells.front());
-    ensure((n_cells(row) != columns.size() || has_number) && !is_long, bad_heading(row));
-    Layout layout;
+    ensure((n_cells(row) != columns.size() || has_number) && !is_long,
+           setting + ", line " + std::to_string(row.line) + ": the header \"" +
+             shortened(boost::join(row.cells, ", ")) + "\" does not name the columns " +
+             boost::join(names, ", ") + " with units of theirs; write \"" + boost::join(header, ", ") +
+             "\", or leave the header out.");
+    Layout layout = { 0, {}, std::vector<double>(columns.size(), 1.), columns.size() };
     for (std::size_t i = 0; i < columns.size(); ++i)
       layout.places.push_back(i);
-    layout.units.assign(columns.size(), 1.);
-    layout.n_columns = columns.size();
     return layout;
-  }
-
-  std::string bad_heading(const TableRow<std::string> &row) const
-  {
-    return setting + ", line " + std::to_string(row.line) + ": the header \"" +
-           shortened(boost::join(row.cells, ", ")) + "\" does not name the columns " +
-           boost::join(names, ", ") + " with units of theirs; write \"" + boost::join(header, ", ") +
-           "\", or leave the header out.";
   }
 
   /// Throws BadInput if commas in numbers may be thousands separators, not decimal marks: if other numbers
