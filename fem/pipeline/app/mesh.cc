@@ -1,4 +1,3 @@
-#include "fem/geometry/boundary_ids.h"
 #include "fem/geometry/foot_mesh.h"
 #include "fem/geometry/mesh_io.h"
 #include "fem/geometry/mesh_quality.h"
@@ -19,6 +18,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <iostream>
 #include <optional>
@@ -42,18 +43,13 @@ struct MeshFindings
   std::optional<fem::MeshReport> report; ///< std::nullopt for a generated mesh
 };
 
-unsigned int n_faces(const fem::MeshCheck &check, fem::FootBoundary id)
+/// Returns the numbers of faces by FootBoundary, and of faces with other boundary ids, which are treated as
+/// free.
+std::array<unsigned int, 4> n_faces(const fem::MeshCheck &check)
 {
-  const auto found = check.n_faces.find(static_cast<unsigned int>(id));
-  return found == check.n_faces.end() ? 0 : found->second;
-}
-
-/// Returns the number of faces with a boundary id outside FootBoundary; they are treated as free.
-unsigned int n_other_faces(const fem::MeshCheck &check)
-{
-  unsigned int n = 0;
+  std::array<unsigned int, 4> n = {};
   for (const auto &[id, count] : check.n_faces)
-    n += id > static_cast<unsigned int>(fem::FootBoundary::contact_zone) ? count : 0;
+    n[std::min(id, 3u)] += count;
   return n;
 }
 
@@ -65,7 +61,7 @@ std::vector<std::string> mesh_remarks(const MeshFindings &findings)
   if (check.min_jacobian < poor)
     remarks.push_back("The worst cell's scaled Jacobian is " + to_short_text(check.min_jacobian) +
                       ", below 0.1: stresses near it are poor.");
-  if (n_other_faces(check) > 0)
+  if (n_faces(check).back() > 0)
     remarks.push_back("Faces with ids other than 1 and 2 are taken as free.");
   if (check.outer_radius > 1)
     remarks.push_back("The contact zone has a radius of " + to_short_text(check.outer_radius) +
@@ -95,15 +91,13 @@ std::string rim_text(const fem::MeshReport &report)
 Json mesh_summary(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
+  const auto [free, stem_cut, contact_zone, other] = n_faces(check);
   Json json = {
     { "mesh", findings.origin },
     { "cells", check.n_cells },
     { "vertices", check.n_vertices },
     { "faces",
-      { { "stem_cut", n_faces(check, fem::FootBoundary::stem_cut) },
-        { "contact_zone", n_faces(check, fem::FootBoundary::contact_zone) },
-        { "free", n_faces(check, fem::FootBoundary::free) },
-        { "other", n_other_faces(check) } } },
+      { { "stem_cut", stem_cut }, { "contact_zone", contact_zone }, { "free", free }, { "other", other } } },
     { "box", { { "lower", check.lower }, { "upper", check.upper } } },
     { "contact_zone",
       { { "radii", { check.inner_radius, check.outer_radius } },
@@ -124,6 +118,7 @@ Json mesh_summary(const MeshFindings &findings)
 std::string mesh_text(const MeshFindings &findings)
 {
   const fem::MeshCheck &check = findings.check;
+  const auto [free, stem_cut, contact_zone, other] = n_faces(check);
   const auto &[x, y, z] = check.worst_place;
   std::vector<std::pair<std::string, std::string>> lines = {
     { "Mesh", fmt::format(FMT_STRING("{}, {} hexahedra, {} vertices"), findings.origin, check.n_cells,
@@ -132,9 +127,7 @@ std::string mesh_text(const MeshFindings &findings)
                mesh_range("y", check.lower[1], check.upper[1]) + ", " +
                mesh_range("z", check.lower[2], check.upper[2]) + " (mm)" },
     { "Faces", fmt::format(FMT_STRING("{} stem cut (id 1), {} contact zone (id 2), {} free, {} of other ids"),
-                           n_faces(check, fem::FootBoundary::stem_cut),
-                           n_faces(check, fem::FootBoundary::contact_zone),
-                           n_faces(check, fem::FootBoundary::free), n_other_faces(check)) },
+                           stem_cut, contact_zone, free, other) },
     { "Contact", mesh_range("r", check.inner_radius, check.outer_radius) + ", " +
                    mesh_range("z", check.lowest, check.highest) +
                    fmt::format(FMT_STRING(" (mm), area {:.6g} mm²"), 1e6 * check.contact_area) }
@@ -231,7 +224,6 @@ void add_mesh_verb(CLI::App &program)
   verb->add_option("--write", options->writes, "Writes the mesh; may be repeated")
     ->type_name("FILE.msh|FILE.vtu")
     ->allow_extra_args(false);
-  options->study.verb = "mesh";
   add_override_option(*verb, options->study);
   add_console_options(*verb, options->study);
 }
