@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <map>
 #include <sstream>
+#include <utility>
 
 namespace stemware::pipeline
 {
@@ -118,13 +119,8 @@ std::optional<Unit> parse_unit(std::string text)
   return is_whole ? std::optional(product) : std::nullopt;
 }
 
-struct Parts
-{
-  std::string number;
-  std::string unit;
-};
-
-Parts split_number(const std::string &whole)
+/// Returns the leading number of a text and the unit behind it; empty texts without a finite number.
+std::pair<std::string, std::string> split_number(const std::string &whole)
 {
   std::string text = boost::trim_copy(as_typed(whole));
   if (text.size() > 1 && text[0] == '+' && text[1] != '-')
@@ -214,51 +210,49 @@ std::optional<fem::WavinessHarmonic> parse_harmonic(const std::string &text)
 
 std::optional<double> parse_quantity(const std::string &text, const std::string &unit)
 {
-  const Parts parts = split_number(text);
-  if (parts.number.empty())
-    return std::nullopt;
-  if (parts.unit.empty())
-    return parse_number(parts.number);
-  const auto given = parse_unit(parts.unit);
+  const auto [number, unit_text] = split_number(text);
+  if (number.empty() || unit_text.empty())
+    return parse_number(number);
+  const auto given = parse_unit(unit_text);
   const Unit wanted = known_unit(unit);
   if (!given || given->dimension != wanted.dimension)
     return std::nullopt;
-  const auto value = shifted(parts.number, given->decimal - wanted.decimal);
+  const auto value = shifted(number, given->decimal - wanted.decimal);
   const double factor = given->factor / wanted.factor;
   return value && std::isfinite(*value * factor) ? std::optional(*value * factor) : std::nullopt;
 }
 
 std::string trailing_unit(const std::string &text)
 {
-  return split_number(text).unit;
+  return split_number(text).second;
 }
 
 std::vector<std::string> with_shared_unit(std::vector<std::string> texts)
 {
   const std::string unit = texts.empty() ? "" : trailing_unit(texts.back());
   for (std::string &text : texts)
-    if (const Parts parts = split_number(text); !parts.number.empty() && parts.unit.empty() && !unit.empty())
-      text = parts.number + ' ' + unit;
+    if (const auto [number, own] = split_number(text); !number.empty() && own.empty() && !unit.empty())
+      text = number + ' ' + unit;
   return texts;
 }
 
 std::string unit_error(const std::string &text, const std::string &unit)
 {
-  const Parts parts = split_number(text);
-  if (parts.unit.empty())
+  const std::string unit_text = trailing_unit(text);
+  if (unit_text.empty())
     return "";
   const Kind *needed = kind_of(known_unit(unit));
   const std::string name = needed ? needed->name : "a quantity in " + unit;
   const std::string example = needed ? ", such as " + needed->example : "";
   const std::string alone =
     needed && needed->unit == "1" ? "." : "; a number alone is in " + (unit.empty() ? "1" : unit) + '.';
-  const auto given = parse_unit(parts.unit);
-  if (!given && parts.unit.front() == ',')
+  const auto given = parse_unit(unit_text);
+  if (!given && unit_text.front() == ',')
     return " has a comma; write decimals with a point, and nothing between thousands.";
-  if (!given && std::isdigit(static_cast<unsigned char>(parts.unit.front())))
+  if (!given && std::isdigit(static_cast<unsigned char>(unit_text.front())))
     return " has blanks between its digits; write the number without them.";
   if (!given)
-    return " has an unknown unit, \"" + shortened(parts.unit) + "\"; give " + name +
+    return " has an unknown unit, \"" + shortened(unit_text) + "\"; give " + name +
            (needed ? units_of(*needed) : "") + example + alone;
   if (given->dimension == known_unit(unit).dimension)
     return "";
