@@ -39,9 +39,6 @@ constexpr auto times_contact_radius(double least = 1e-5, double most = 300)
   return [=](auto &entry) { entry.times_contact_radius = { least, most }; };
 }
 
-constexpr auto follows_from_profile()
-{
-  return [](auto &entry) { entry.follows_from_profile = true; };
-}
+constexpr auto follows_from_profile = [](auto &entry) { entry.follows_from_profile = true; };
 
 } // namespace stemware::pipeline

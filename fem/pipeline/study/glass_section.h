@@ -51,7 +51,7 @@ struct GlassSection
       "follows from the points of the land. A relative path starts at the study file",
       used_if(is_drawn));
     list.number("Contact radius", profile.contact_radius, positive, "m",
-                "Radius R of the rim that stands on the table", used_if(true), follows_from_profile(),
+                "Radius R of the rim that stands on the table", used_if(true), follows_from_profile,
                 plausible(0.005, 0.1, "a liqueur glass to a carafe"));
     list.number("Foot radius", profile.foot_radius, positive, "m", "Outer radius of the foot",
                 used_if(is_step_or_foot), times_contact_radius(),
@@ -70,7 +70,7 @@ struct GlassSection
                 plausible(1e-5, 0.02, "a polished to a deep ring"));
     list.number("Crown radius", profile.crown_radius, not_negative, "m",
                 "Radius of the rim's rounding, seen in a cut through the axis; 0 means a flat land",
-                follows_from_profile(),
+                follows_from_profile,
                 plausible(1e-4, 0.2, "a ground edge to a rim that is nearly flat; 0 is a flat land"));
     list.number("Underside rise", profile.underside_rise, not_negative, "m",
                 "Height of the underside of a foot on the axis, above the land; without effect on a step",
