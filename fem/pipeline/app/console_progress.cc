@@ -17,48 +17,43 @@ void ConsoleProgress::stage_done(const std::string &stage)
 
 void ConsoleProgress::pieces_done(const std::string &what, std::size_t n_done, std::size_t n_all)
 {
-  if (n_all > 0)
-  {
-    show(what, n_done, n_all);
-    if (n_done == n_all)
-      end_bar();
-    return;
-  }
   const auto now = std::chrono::steady_clock::now();
-  if (is_counting || now - last_line < std::chrono::seconds(3))
-    return; // at most one line every 3 s, and none if a bar shows the progress
-  last_line = now;
-  console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
-}
-
-void ConsoleProgress::show(const std::string &what, std::size_t n_done, std::size_t n_all)
-{
-  const auto now = std::chrono::steady_clock::now();
-  if (!is_counting)
+  if (n_all > 0 && !is_counting)
   {
     last_line = now;
     tenths_shown = 0;
+    is_counting = true;
   }
-  is_counting = true;
-  const std::size_t tenths = 10 * n_done / n_all;
-  const bool is_watched = console_is_terminal();
-  if (!is_watched && (tenths == tenths_shown || now - last_line < std::chrono::seconds(3)))
-    return;
-  tenths_shown = tenths;
-  last_line = now;
-  const std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_done, n_all, what);
-  if (!is_watched)
+  const bool is_late = now - last_line >= std::chrono::seconds(3); // after a line; a bar is shown at once
+  if (n_all == 0)
   {
-    console() << "          " << text << std::endl;
+    if (is_counting || !is_late)
+      return;
+    last_line = now;
+    console() << fmt::format(FMT_STRING("  {} {}"), n_done, what) << std::endl;
     return;
   }
-  constexpr std::size_t n_marks = 40;
-  const std::size_t n_filled = n_marks * n_done / n_all;
-  std::string line = "[" + std::string(n_filled, '#') + std::string(n_marks - n_filled, '.') + "] " + text;
-  const std::size_t width = line.size();
-  line.resize(std::max(width, bar_width), ' ');
-  bar_width = width;
-  console() << '\r' << line << std::flush;
+  const std::size_t tenths = 10 * n_done / n_all;
+  const std::string text = fmt::format(FMT_STRING("{} of {} {}"), n_done, n_all, what);
+  if (console_is_terminal())
+  {
+    constexpr std::size_t n_marks = 40;
+    const std::size_t n_filled = n_marks * n_done / n_all;
+    std::string line = "[" + std::string(n_filled, '#') + std::string(n_marks - n_filled, '.') + "] " + text;
+    const std::size_t width = line.size();
+    line.resize(std::max(width, bar_width), ' ');
+    bar_width = width;
+    last_line = now;
+    console() << '\r' << line << std::flush;
+  }
+  else if (tenths != tenths_shown && is_late)
+  {
+    tenths_shown = tenths;
+    last_line = now;
+    console() << "          " << text << std::endl;
+  }
+  if (n_done == n_all)
+    end_bar();
 }
 
 void ConsoleProgress::end_bar()

@@ -10,7 +10,8 @@
 namespace stemware::pipeline
 {
 
-/// Progress on the console: Newton steps as a table, known work as a bar, balances every few seconds.
+/// Progress on the console: Newton steps as a table, known work as a bar on a terminal, else as a line per
+/// tenth, at most every 3 s, and balances every few seconds.
 class ConsoleProgress : public Progress
 {
 public:
@@ -27,8 +28,6 @@ public:
   Stopwatch stopwatch; ///< times of the stages
 
 private:
-  /// Shows @p n_done of @p n_all pieces: a bar on a terminal, else a line per tenth, at most every 3 s.
-  void show(const std::string &what, std::size_t n_done, std::size_t n_all);
   void end_bar();
 
   bool is_counting = false; ///< true until all pieces of a known number are done
