@@ -112,7 +112,7 @@ struct ContactSection
                "Halvings of every cell of the mesh with these counts; the way to a large solid body, which "
                "is then solved by multigrid over the meshes between");
     list.number("Land grading", land_grading,
-                { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "",
+                { "a number from 1 to 10", [](double value) { return 1 <= value && value <= 10; } }, "1",
                 "Size of a cell of the land over that of its neighbour nearer to the contact radius, for a "
                 "crowned body of revolution; 1 means equal cells",
                 used_if(is_crowned));
@@ -147,7 +147,7 @@ struct ContactSection
         { "torque", Goal::torque } },
       "What the cells of a solid body that matter are halved for (torque: at half the terminal spin)",
       used_if(is_solid));
-    list.number("Goal tolerance", goal_tolerance, positive, "", "Error left of the goal, over its value",
+    list.number("Goal tolerance", goal_tolerance, positive, "1", "Error left of the goal, over its value",
                 used_if(is_solid));
     list.number("Memory limit", memory_limit, positive, "B", "More is refused before the work");
   }

@@ -91,7 +91,7 @@ struct GlassSection
                 plausible(5e-4, 0.2, "a cut close to the foot to the longest stem"));
     list.number("Young modulus", material.young_modulus, positive, "Pa", "Young's modulus of the glass",
                 plausible(1e9, 2.5e11, "plastic (2 GPa), lead crystal (60), soda lime (70), steel (210)"));
-    list.number("Poisson ratio", material.poisson_ratio, poisson_range, "", "Poisson's ratio of the glass",
+    list.number("Poisson ratio", material.poisson_ratio, poisson_range, "1", "Poisson's ratio of the glass",
                 plausible(0, 0.49, "cork (0) to nearly incompressible"));
     list.waviness("Rim waviness", waviness,
                   "How the rim is out of flat: harmonics of its height above the table, fixed to the glass "

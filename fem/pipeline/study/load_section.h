@@ -61,7 +61,7 @@ struct LoadSection
       "two-way: contact, friction and moments are in balance at every spin; one-way: the load of the glass "
       "that does not spin yet is kept at every spin, as a given moment and a load from a file are by nature",
       used_if(is_from_contact() && has_closure()));
-    list.number("Moment ratio", moment_ratio, any_number, "",
+    list.number("Moment ratio", moment_ratio, any_number, "1",
                 "Moment of the table's pressure over N R / 2 for a static study; negative: the moment "
                 "of the moment balance. The foot tips at 2, on a flat land of outer radius r_o at 2 r_o / R");
     list.number("Moment direction", moment_direction, any_number, "rad",

@@ -120,7 +120,7 @@ struct MotionSection
       "Orbit sense", orbit.orbit_sense,
       { { "counterclockwise", OrbitSense::counterclockwise }, { "clockwise", OrbitSense::clockwise } },
       "Which way round, seen from above: counterclockwise or clockwise");
-    list.number("Friction coefficient", orbit.friction_coefficient, positive, "",
+    list.number("Friction coefficient", orbit.friction_coefficient, positive, "1",
                 "Friction between foot and table; of Stribeck's law the kinetic coefficient",
                 plausible(0.02, 1.5, "wet and soapy to clean rubber"));
     list.choice(
@@ -129,11 +129,11 @@ struct MotionSection
       "How friction depends on the slip speed s of each place. Coulomb: not at all; Stribeck: mu_k + (mu_s - "
       "mu_k) exp(-(s/v_s)^2) + c s with the kinetic coefficient mu_k in Friction coefficient and the three "
       "entries below");
-    list.number("Static friction coefficient", orbit.static_coefficient, positive, "",
+    list.number("Static friction coefficient", orbit.static_coefficient, positive, "1",
                 "mu_s of Stribeck's law, in the limit of no slip", used_if(is_stribeck),
                 plausible(0.02, 2, "wet and soapy to clean rubber"));
     list.number(
-      "Breakaway friction", breakaway_friction, not_negative, "",
+      "Breakaway friction", breakaway_friction, not_negative, "1",
       "Coefficient of friction at which a glass that rests begins to slide, where the hand of Orbit "
       "speed file starts from rest; 0: Friction coefficient. Stribeck's law has Static friction "
       "coefficient",
@@ -166,7 +166,7 @@ struct MotionSection
                 plausible(0.01, 1000, "a hundredth of a second to a quarter of an hour"));
     list.number("Euler step", euler_step, positive, "s",
                 "Largest step of the forward Euler method that is shown beside the adaptive one");
-    list.number("Step limit", step_limit, positive, "",
+    list.number("Step limit", step_limit, positive, "1",
                 "A study whose spin-up would take more steps is refused before the work");
   }
 };

@@ -175,11 +175,6 @@ const Kind *kind_of(const Unit &unit)
   return nullptr;
 }
 
-Unit known_unit(const std::string &unit)
-{
-  return parse_unit(unit.empty() ? "1" : unit).value();
-}
-
 std::string units_of(const Kind &kind)
 {
   if (kind.unit == "1")
@@ -214,7 +209,7 @@ std::optional<double> parse_quantity(const std::string &text, const std::string 
   if (number.empty() || unit_text.empty())
     return parse_number(number);
   const auto given = parse_unit(unit_text);
-  const Unit wanted = known_unit(unit);
+  const Unit wanted = parse_unit(unit).value();
   if (!given || given->dimension != wanted.dimension)
     return std::nullopt;
   const auto value = shifted(number, given->decimal - wanted.decimal);
@@ -241,11 +236,10 @@ std::string unit_error(const std::string &text, const std::string &unit)
   const std::string unit_text = trailing_unit(text);
   if (unit_text.empty())
     return "";
-  const Kind *needed = kind_of(known_unit(unit));
+  const Kind *needed = kind_of(parse_unit(unit).value());
   const std::string name = needed ? needed->name : "a quantity in " + unit;
   const std::string example = needed ? ", such as " + needed->example : "";
-  const std::string alone =
-    needed && needed->unit == "1" ? "." : "; a number alone is in " + (unit.empty() ? "1" : unit) + '.';
+  const std::string alone = needed && needed->unit == "1" ? "." : "; a number alone is in " + unit + '.';
   const auto given = parse_unit(unit_text);
   if (!given && unit_text.front() == ',')
     return " has a comma; write decimals with a point, and nothing between thousands.";
@@ -254,7 +248,7 @@ std::string unit_error(const std::string &text, const std::string &unit)
   if (!given)
     return " has an unknown unit, \"" + shortened(unit_text) + "\"; give " + name +
            (needed ? units_of(*needed) : "") + example + alone;
-  if (given->dimension == known_unit(unit).dimension)
+  if (given->dimension == parse_unit(unit).value().dimension)
     return "";
   const Kind *found = kind_of(*given);
   return " is " + (found ? found->name : "a quantity of another kind") + ", but " + name + " is needed" +
@@ -263,7 +257,7 @@ std::string unit_error(const std::string &text, const std::string &unit)
 
 std::vector<std::string> usual_units(const std::string &unit)
 {
-  const Kind *kind = kind_of(known_unit(unit));
+  const Kind *kind = kind_of(parse_unit(unit).value());
   return kind ? kind->usual : std::vector<std::string>();
 }
 

@@ -9,7 +9,7 @@
 namespace stemware::pipeline
 {
 
-/// Parses a quantity: a number in the SI unit @p unit ("kg", "Pa/m", "N m"; "1" or empty for pure numbers),
+/// Parses a quantity: a number in the SI unit @p unit ("kg", "Pa/m", "N m"; "1" for pure numbers),
 /// or a number with any unit of the same dimension ("300 g", "70 GPa", "20 cm/s", "5 deg", "30 %" of a pure
 /// number), with any Unicode blank or minus sign. Powers of ten shift the decimal exponent, so that 0.3 mm is
 /// the double nearest to 3e-4. Returns the finite value in @p unit, or std::nullopt.

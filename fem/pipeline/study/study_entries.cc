@@ -31,7 +31,7 @@ struct EntryList
     subsection.has_effect = condition;
   }
 
-  /// Adds a quantity; @p unit is empty for pure numbers.
+  /// Adds a quantity.
   template <typename... Facts>
   void number(const std::string &name, double &value, const Range &range, const std::string &unit,
               const std::string &help, const Facts &...facts)
@@ -41,9 +41,9 @@ struct EntryList
       const auto number = parse_quantity(text, unit);
       return number && range.contains(*number) ? number : std::nullopt;
     };
-    const std::string allowed = range.words + (unit.empty() ? "" : " (" + unit + ")");
+    const std::string allowed = range.words + (unit == "1" ? "" : " (" + unit + ")");
     StudyEntry &entry = append(name, value, allowed, help, parse, as_it_is, facts...);
-    entry.unit = unit.empty() ? "1" : unit;
+    entry.unit = unit;
     entry.quantity = &value;
   }
 

@@ -85,7 +85,7 @@ struct TableSection
     list.number("Disc Young modulus", disc_material.young_modulus, positive, "Pa",
                 "Young's modulus of the disc (hardwood 10e9, cork 5e6)", used_if(is_on_disc),
                 plausible(1e5, 1.2e12, "foam to diamond"));
-    list.number("Disc Poisson ratio", disc_material.poisson_ratio, poisson_range, "",
+    list.number("Disc Poisson ratio", disc_material.poisson_ratio, poisson_range, "1",
                 "Poisson's ratio of the disc (cork 0)", used_if(is_on_disc),
                 plausible(-0.2, 0.499, "cork (0), wood (0.3), rubber (0.49)"));
     list.waviness(
