@@ -203,7 +203,6 @@ public:
              curve = ring::interpolated_for_curves(load, free, 0, 1.001 * free.last_spin().value());
              if (start)
                start->foot = foot;
-             return 0;
            });
   }
 
