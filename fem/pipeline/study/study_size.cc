@@ -62,17 +62,13 @@ double n_nodes(const std::string &file)
   return static_cast<double>(std::filesystem::file_size(file, error)) / bytes_per_node;
 }
 
-double coarse_unknowns(const ContactSection &contact)
-{
-  if (!contact.mesh_file.empty())
-    return 3 * n_nodes(contact.mesh_file);
-  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
-  return unknowns_per_cell * contact.resolution.azimuthal_cells * std::max(per_sector, 16.);
-}
-
 void add_solid_body(const ContactSection &contact, unsigned int n_edge_halvings, StudySize &size)
 {
-  size.unknowns = coarse_unknowns(contact) * std::pow(8., contact.refinements);
+  const double per_sector = (contact.resolution.radial_cells + 8.) * (contact.resolution.foot_layers + 0.);
+  size.unknowns = contact.mesh_file.empty()
+                    ? unknowns_per_cell * contact.resolution.azimuthal_cells * std::max(per_sector, 16.)
+                    : 3 * n_nodes(contact.mesh_file);
+  size.unknowns *= std::pow(8., contact.refinements);
   if (n_edge_halvings > 0) // the edge adds 19 to 28 cells per azimuthal cell, including transition cells
     size.unknowns +=
       unknowns_per_cell * 20 *
