@@ -95,17 +95,14 @@ Fields<BudgetRow> chain_fields(double scale, const std::function<Json(double)> &
   };
 }
 
-const Fields<BudgetRow> &chain_torque_fields()
+Fields<BudgetRow> chain_torque_fields()
 {
-  static const auto fields = Fields<BudgetRow>{
-    { "step", "", "", [](const BudgetRow &row) { return label_of(row.step); }, on_page("step") },
-    { "title", "", "", [](const BudgetRow &row) { return title_of(row); }, on_page("what is added") },
-    { "torques", "N m", "", &BudgetRow::torques,
-      with_places({ { "torques[0]", "N m", "", "", "", "rest" },
-                    { "torques[1]", "N m", "", "", "", "half the terminal spin" },
-                    { "torques[2]", "N m", "", "", "", "the terminal spin" } }) }
-  };
-  return fields;
+  return { { "step", "", "", [](const BudgetRow &row) { return label_of(row.step); }, on_page("step") },
+           { "title", "", "", [](const BudgetRow &row) { return title_of(row); }, on_page("what is added") },
+           { "torques", "N m", "", &BudgetRow::torques,
+             with_places({ { "torques[0]", "N m", "", "", "", "rest" },
+                           { "torques[1]", "N m", "", "", "", "half the terminal spin" },
+                           { "torques[2]", "N m", "", "", "", "the terminal spin" } }) } };
 }
 
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows)
@@ -181,25 +178,21 @@ Fields<WithoutRow> without_fields(const std::optional<double> &complete, double 
   };
 }
 
-const Fields<std::pair<std::string, double>> &input_fields()
+Fields<std::pair<std::string, double>> input_fields()
 {
   using Row = std::pair<std::string, double>;
-  static const auto fields =
-    Fields<Row>{ { "name", "", "Changed input.", &Row::first },
-                 { "difference", "rad/s", "Change of the terminal spin, rigid ring with a first harmonic.",
-                   &Row::second } };
-  return fields;
+  return { { "name", "", "Changed input.", &Row::first },
+           { "difference", "rad/s", "Change of the terminal spin, rigid ring with a first harmonic.",
+             &Row::second } };
 }
 
-const Fields<HarmonicEffect> &harmonic_effect_fields()
+Fields<HarmonicEffect> harmonic_effect_fields()
 {
-  static const auto fields = Fields<HarmonicEffect>{
-    { "absolute", "rad/s", "Spin with all harmonics minus spin with the first only.",
-      &HarmonicEffect::absolute },
-    { "relative", "1", "Relative to the first harmonic only; null unless both spins have the same sense.",
-      &HarmonicEffect::relative }
-  };
-  return fields;
+  return { { "absolute", "rad/s", "Spin with all harmonics minus spin with the first only.",
+             &HarmonicEffect::absolute },
+           { "relative", "1",
+             "Relative to the first harmonic only; null unless both spins have the same sense.",
+             &HarmonicEffect::relative } };
 }
 
 } // namespace stemware::pipeline

@@ -57,91 +57,15 @@ auto over_rest(Read read)
 const auto change_half = of_effect(&Effect::half, &Effect::AtSpin::change);
 const auto change_terminal = of_effect(&Effect::terminal, &Effect::AtSpin::change);
 
-Number largest_change(const Truncation &row)
-{
-  return row.effect.largest;
-}
-
-Number largest_at(const Truncation &row)
-{
-  return row.effect.largest_at;
-}
-
-} // namespace
-
-double without_rounding(double value, double rounding)
-{
-  return std::abs(value) < rounding ? 0. : value;
-}
-
-void drop_rounding(std::optional<double> &value, double rounding)
-{
-  if (value)
-    value = without_rounding(*value, rounding);
-}
-
-const Fields<ring::RingState> &fall_fields()
-{
-  static const auto fields =
-    Fields<ring::RingState>{ { "omega", "rad/s", "The last spin in balance.", &ring::RingState::omega },
-                             { "moment_ratio", "1", "Moment ratio at this spin.",
-                               &ring::RingState::moment_ratio } };
-  return fields;
-}
-
-const Fields<ring::Answer> &answer_fields()
-{
-  using ring::Answer;
-  using ring::RingState;
-  static const auto fields = Fields<Answer>{
-    { "omega_terminal", "rad/s", "Terminal spin: zero of the sum of friction, lean and grip torque.",
-      &Answer::omega_terminal, in_column("terminal spin"), on_page("terminal spin"), in_bands() },
-    { "tau_at_rest", "N m",
-      "Torque of friction on the glass at rest; the mean over the phases with waviness.",
-      in_state(&Answer::at_rest, friction_torque), in_column("torque of friction at rest"),
-      on_page("torque of friction at rest"), in_bands() },
-    { "lean_torque_at_rest", "N m", "Torque of the normal forces about the tilted axis at rest.",
-      in_state(&Answer::at_rest, &RingState::lean_torque) },
-    { "fall", "Spin at which a glass that stands at rest tips over; null if it does not tip.", fall_fields(),
-      &Answer::fall },
-    { "tau_at_terminal", "N m",
-      "Torque of friction at the terminal spin. With waviness, all keys that end in _at_terminal belong "
-      "to the mean load at waviness/zero_of_mean_torque.",
-      in_state(&Answer::at_terminal, friction_torque) },
-    { "lean_torque_at_terminal", "N m", "Lean torque at the terminal spin.",
-      in_state(&Answer::at_terminal, &RingState::lean_torque) },
-    { "grip_torque_at_terminal", "N m", "Grip torque at the terminal spin.",
-      in_state(&Answer::at_terminal, &RingState::grip_torque) },
-    { "time_constant", "s", "Time constant of the approach to the terminal spin.", &Answer::time_constant,
-      in_column("time constant"), in_bands() },
-    { "force_at_terminal", "N", "Friction force (T_x, T_y) at the terminal spin.",
-      in_state(&Answer::at_terminal, force_of) },
-    { "moment_ratio_at_terminal", "1", "Moment ratio at the terminal spin.",
-      in_state(&Answer::at_terminal, &RingState::moment_ratio) }
-  };
-  return fields;
-}
-
-std::array<std::vector<double>, 2> series_of(const ring::RingStack &load)
-{
-  std::array<std::vector<double>, 2> series;
-  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
-  {
-    series[0].push_back(load.a(n));
-    series[1].push_back(load.b(n));
-  }
-  return series;
-}
-
-namespace
-{
+const auto largest_change = [](const Truncation &row) { return row.effect.largest; };
+const auto largest_at = [](const Truncation &row) { return row.effect.largest_at; };
 
 Fields<LoadReport> all_load_fields()
 {
   using Ring = ring::RingStack::Ring;
   using Load = LoadReport;
-  static const auto ring_fields = Fields<Ring>{ { "a", "N/rad", "Cosine coefficients a_0, a_1 …", &Ring::a },
-                                                { "b", "N/rad", "Sine coefficients, b_0 = 0.", &Ring::b } };
+  const auto ring_fields = Fields<Ring>{ { "a", "N/rad", "Cosine coefficients a_0, a_1 …", &Ring::a },
+                                         { "b", "N/rad", "Sine coefficients, b_0 = 0.", &Ring::b } };
   Fields<Load> fields = {
     { "radii", "m", "Radii of the rings.",
       [](const Load &load)
@@ -208,6 +132,67 @@ Fields<LoadReport> all_load_fields()
 
 } // namespace
 
+double without_rounding(double value, double rounding)
+{
+  return std::abs(value) < rounding ? 0. : value;
+}
+
+void drop_rounding(std::optional<double> &value, double rounding)
+{
+  if (value)
+    value = without_rounding(*value, rounding);
+}
+
+Fields<ring::RingState> fall_fields()
+{
+  return { { "omega", "rad/s", "The last spin in balance.", &ring::RingState::omega },
+           { "moment_ratio", "1", "Moment ratio at this spin.", &ring::RingState::moment_ratio } };
+}
+
+const Fields<ring::Answer> &answer_fields()
+{
+  using ring::Answer;
+  using ring::RingState;
+  static const auto fields = Fields<Answer>{
+    { "omega_terminal", "rad/s", "Terminal spin: zero of the sum of friction, lean and grip torque.",
+      &Answer::omega_terminal, in_column("terminal spin"), on_page("terminal spin"), in_bands() },
+    { "tau_at_rest", "N m",
+      "Torque of friction on the glass at rest; the mean over the phases with waviness.",
+      in_state(&Answer::at_rest, friction_torque), in_column("torque of friction at rest"),
+      on_page("torque of friction at rest"), in_bands() },
+    { "lean_torque_at_rest", "N m", "Torque of the normal forces about the tilted axis at rest.",
+      in_state(&Answer::at_rest, &RingState::lean_torque) },
+    { "fall", "Spin at which a glass that stands at rest tips over; null if it does not tip.", fall_fields(),
+      &Answer::fall },
+    { "tau_at_terminal", "N m",
+      "Torque of friction at the terminal spin. With waviness, all keys that end in _at_terminal belong "
+      "to the mean load at waviness/zero_of_mean_torque.",
+      in_state(&Answer::at_terminal, friction_torque) },
+    { "lean_torque_at_terminal", "N m", "Lean torque at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::lean_torque) },
+    { "grip_torque_at_terminal", "N m", "Grip torque at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::grip_torque) },
+    { "time_constant", "s", "Time constant of the approach to the terminal spin.", &Answer::time_constant,
+      in_column("time constant"), in_bands() },
+    { "force_at_terminal", "N", "Friction force (T_x, T_y) at the terminal spin.",
+      in_state(&Answer::at_terminal, force_of) },
+    { "moment_ratio_at_terminal", "1", "Moment ratio at the terminal spin.",
+      in_state(&Answer::at_terminal, &RingState::moment_ratio) }
+  };
+  return fields;
+}
+
+std::array<std::vector<double>, 2> series_of(const ring::RingStack &load)
+{
+  std::array<std::vector<double>, 2> series;
+  for (unsigned int n = 0; n <= load.n_harmonics(); ++n)
+  {
+    series[0].push_back(load.a(n));
+    series[1].push_back(load.b(n));
+  }
+  return series;
+}
+
 const Fields<LoadReport> &load_fields()
 {
   static const Fields<LoadReport> fields = all_load_fields();
@@ -257,33 +242,30 @@ std::vector<Truncation> shown_truncations(std::vector<Truncation> rows)
   return shown;
 }
 
-const Fields<Truncation> &torque_change_fields()
+Fields<Truncation> torque_change_fields()
 {
-  static const auto fields = Fields<Truncation>{
-    { "half", "N m", "At half the terminal spin.", change_half },
-    { "half_relative", "1", "The same over |τ_z| at rest.", over_rest(change_half) },
-    { "terminal", "N m", "At the terminal spin.", change_terminal },
-    { "terminal_relative", "1", "The same over |τ_z| at rest.", over_rest(change_terminal) },
-    { "largest", "N m",
-      "Value of largest size between rest and the terminal spin, or the spin at which the glass tips.",
-      largest_change },
-    { "largest_relative", "1", "The same over |τ_z| at rest.", over_rest(largest_change) },
-    { "largest_at", "rad/s", "Spin of the largest value.", largest_at }
-  };
-  return fields;
+  return { { "half", "N m", "At half the terminal spin.", change_half },
+           { "half_relative", "1", "The same over |τ_z| at rest.", over_rest(change_half) },
+           { "terminal", "N m", "At the terminal spin.", change_terminal },
+           { "terminal_relative", "1", "The same over |τ_z| at rest.", over_rest(change_terminal) },
+           { "largest", "N m",
+             "Value of largest size between rest and the terminal spin, or the spin at which the glass tips.",
+             largest_change },
+           { "largest_relative", "1", "The same over |τ_z| at rest.", over_rest(largest_change) },
+           { "largest_at", "rad/s", "Spin of the largest value.", largest_at } };
 }
 
-const Fields<Truncation> &truncation_fields()
+Fields<Truncation> truncation_fields()
 {
   using ring::Answer;
   const auto self = [](const Truncation &row) -> const Truncation & { return row; };
   const auto answer = [](auto read)
   { return [=](const Truncation &row) { return std::invoke(read, row.answer); }; };
-  static const auto rest_fields = Fields<Truncation>{
+  const auto rest_fields = Fields<Truncation>{
     { "half", "N m", "At half the terminal spin.", of_effect(&Effect::half, &Effect::AtSpin::rest) },
     { "terminal", "N m", "At the terminal spin.", of_effect(&Effect::terminal, &Effect::AtSpin::rest) }
   };
-  static const auto fields = Fields<Truncation>{
+  return {
     { "harmonics", "1", "Harmonics kept.", answer(&Answer::harmonics), in_file("harmonics", "harmonics kept"),
       shown_as("harmonics") },
     { "tau_at_rest", "N m", "Torque of friction at rest.",
@@ -345,7 +327,6 @@ const Fields<Truncation> &truncation_fields()
     { "message", "", "Reason for missing values.",
       [](const Truncation &row) { return text_or_null(row.answer.reason); } }
   };
-  return fields;
 }
 
 } // namespace stemware::pipeline

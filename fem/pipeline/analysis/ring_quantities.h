@@ -21,7 +21,7 @@ namespace stemware::pipeline
 constexpr unsigned int n_harmonics_of_interest = 8;
 
 /// Returns "fall" of summary.json.
-const Fields<ring::RingState> &fall_fields();
+Fields<ring::RingState> fall_fields();
 
 /// Returns the quantities of ring::Answer that are in "ring" of summary.json.
 const Fields<ring::Answer> &answer_fields();
@@ -51,10 +51,10 @@ std::vector<Truncation> truncations_of(const SpinStudy &spin);
 std::vector<Truncation> shown_truncations(std::vector<Truncation> rows);
 
 /// Returns "truncation" of summary.json and its tables.
-const Fields<Truncation> &truncation_fields();
+Fields<Truncation> truncation_fields();
 
 /// Returns "torque_effect" of summary.json, members of Truncation.
-const Fields<Truncation> &torque_change_fields();
+Fields<Truncation> torque_change_fields();
 
 // ---- the budget
 
@@ -69,7 +69,7 @@ std::string title_of(const BudgetRow &row, const std::string &at_most = "≤");
 Fields<BudgetRow> chain_fields(double scale = 1, const std::function<Json(double)> &shown_spin = {});
 
 /// Returns step, title and torques of a row of the budget, a table of the page.
-const Fields<BudgetRow> &chain_torque_fields();
+Fields<BudgetRow> chain_torque_fields();
 
 /// Returns the chain with one row for all its rows of harmonics.
 std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
@@ -78,13 +78,13 @@ std::vector<BudgetRow> named_steps(const std::vector<BudgetRow> &rows);
 std::vector<BudgetRow> shown_chain(const std::vector<BudgetRow> &rows, double rounding);
 
 /// Returns the quantities of a changed input.
-const Fields<std::pair<std::string, double>> &input_fields();
+Fields<std::pair<std::string, double>> input_fields();
 
 /// Returns the quantities of a model without one effect; @p complete: the study's terminal spin [rad/s].
 Fields<WithoutRow> without_fields(const std::optional<double> &complete = {}, double scale = 1);
 
 /// Returns "harmonic_effect" of summary.json.
-const Fields<HarmonicEffect> &harmonic_effect_fields();
+Fields<HarmonicEffect> harmonic_effect_fields();
 
 /// Returns @p value, or 0 if |value| is below @p rounding.
 double without_rounding(double value, double rounding);
