@@ -18,8 +18,9 @@ Fields<BandedQuantity> band_fields(bool with_richardson);
 /// Returns "load", "harmonic_effect", "torque_effect" and "truncation" of summary.json.
 Fields<StudyAnswer> harmonics_fields();
 
-/// Returns the summary of `run`.
+/// Returns the summaries of `run` and `truncate`.
 Fields<StudyAnswer> run_fields();
+Fields<StudyAnswer> truncate_fields();
 
 /// Returns "contact" of summary.json, and the page's numbers of the contact.
 Fields<FootReport> contact_fields();

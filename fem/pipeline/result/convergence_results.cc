@@ -55,14 +55,13 @@ struct SpinBandRow
 
 Table spin_band_table(const std::vector<SpinBandRow> &rows, Face face)
 {
-  static const auto fields =
-    Fields<SpinBandRow>{ { "axis", "", "", &SpinBandRow::axis, shown_as("what is refined") },
-                         { "own", "", "", &SpinBandRow::own, shown_as("the study has") },
-                         { "band", "rad/s", "", &SpinBandRow::band, shown_as("band"), with_digits("band") },
-                         { "order", "1", "", &SpinBandRow::order, on_page("observed order"),
-                           on_console("order"), with_digits(".2f") } };
-  return fields.table(rows, face,
-                      face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
+  return Fields<SpinBandRow>{
+    { "axis", "", "", &SpinBandRow::axis, shown_as("what is refined") },
+    { "own", "", "", &SpinBandRow::own, shown_as("the study has") },
+    { "band", "rad/s", "", &SpinBandRow::band, shown_as("band"), with_digits("band") },
+    { "order", "1", "", &SpinBandRow::order, on_page("observed order"), on_console("order"),
+      with_digits(".2f") }
+  }.table(rows, face, face == Face::console ? "Error band of the terminal spin, axis by axis" : "");
 }
 
 } // namespace

@@ -105,7 +105,8 @@ Json schema()
         { "items", { { "type", "string" } } } } }
   };
   properties["program"].update(program);
-  for (const Json &verb : { run_fields().schema(), truncate_schema(), converge_schema(), sweep_schema() })
+  for (const Json &verb :
+       { run_fields().schema(), truncate_fields().schema(), converge_schema(), sweep_schema() })
     for (const auto &[key, property] : verb["properties"].items())
       if (!properties.contains(key))
         properties[key] = property;

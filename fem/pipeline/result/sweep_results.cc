@@ -58,16 +58,15 @@ const QuantityRange *range_of(const std::vector<QuantityRange> &ranges, const st
 
 Table range_table(const std::vector<QuantityRange> &ranges, Face face)
 {
-  static const auto fields =
-    Fields<QuantityRange>{ { "quantity", "", "",
-                             [](const QuantityRange &row)
-                             { return with_unit(row.quantity.heading, row.quantity.unit, false); },
-                             shown_as("quantity") },
-                           { "least", "1", "", &QuantityRange::min, shown_as("smallest") },
-                           { "at_least", "", "", &QuantityRange::min_case, on_page("at") },
-                           { "most", "1", "", &QuantityRange::max, shown_as("largest") },
-                           { "at_most", "", "", &QuantityRange::max_case, on_page("at") } };
-  return fields.table(ranges, face);
+  return Fields<QuantityRange>{
+    { "quantity", "", "",
+      [](const QuantityRange &row) { return with_unit(row.quantity.heading, row.quantity.unit, false); },
+      shown_as("quantity") },
+    { "least", "1", "", &QuantityRange::min, shown_as("smallest") },
+    { "at_least", "", "", &QuantityRange::min_case, on_page("at") },
+    { "most", "1", "", &QuantityRange::max, shown_as("largest") },
+    { "at_most", "", "", &QuantityRange::max_case, on_page("at") }
+  }.table(ranges, face);
 }
 
 std::size_t n_with_status(const FinishedCases &finished, const std::string &status)
@@ -119,15 +118,15 @@ Table failure_table(const CaseList &list, const FinishedCases &finished)
     if (result.status == "failed")
       ++reasons.try_emplace(result.message, FailureRow{ 0, list.values_of(index), result.message })
           .first->second.n_cases;
-  static const auto fields =
-    Fields<FailureRow>{ { "cases", "1", "", &FailureRow::n_cases, on_page("cases") },
-                        { "first of them", "", "", &FailureRow::first, on_page("first of them") },
-                        { "message", "", "", &FailureRow::message, on_page("message") } };
   std::vector<FailureRow> rows;
   for (const auto &[message, row] : reasons)
     if (rows.size() < max_rows)
       rows.push_back(row);
-  return fields.table(rows, Face::page);
+  return Fields<FailureRow>{
+    { "cases", "1", "", &FailureRow::n_cases, on_page("cases") },
+    { "first of them", "", "", &FailureRow::first, on_page("first of them") },
+    { "message", "", "", &FailureRow::message, on_page("message") }
+  }.table(rows, Face::page);
 }
 
 /// Returns the varied entries with their values, and the values of each quantity: one per case, null if

@@ -107,18 +107,17 @@ std::string exact(const Json &cell, const std::string &missing)
 
 Table as_list(const Table &row)
 {
-  static const auto fields = Fields<Column>{
+  std::vector<Column> known;
+  std::copy_if(row.columns.begin(), row.columns.end(), std::back_inserter(known),
+               [](const Column &column) { return !column.cells.at(0).is_null(); });
+  return Fields<Column>{
     { "what", "", "",
       [](const Column &column) { return with_unit(column.quantity.heading, column.quantity.unit, false); },
       on_page(" ") },
     { "is", "", "",
       [](const Column &column) { return shown(column.quantity, column.cells.at(0), format::missing); },
       on_page(" ") }
-  };
-  std::vector<Column> known;
-  std::copy_if(row.columns.begin(), row.columns.end(), std::back_inserter(known),
-               [](const Column &column) { return !column.cells.at(0).is_null(); });
-  return fields.table(known, Face::page);
+  }.table(known, Face::page);
 }
 
 std::string console_table(const Table &table)

@@ -67,19 +67,14 @@ std::string answer_of(const StudyAnswer &answer, unsigned int n_enough)
   return text;
 }
 
+} // namespace
+
 Fields<StudyAnswer> truncate_fields()
 {
   return Fields<StudyAnswer>{
     { "fall", "Of `truncate`: as ring.fall of `run`.", fall_fields(),
       [](const StudyAnswer &answer) { return answer.spin.answer().fall; } }
   }.include(harmonics_fields(), [](const StudyAnswer &answer) -> const StudyAnswer & { return answer; });
-}
-
-} // namespace
-
-Json truncate_schema()
-{
-  return truncate_fields().schema();
 }
 
 Results truncation_results(const StudyAnswer &answer)

@@ -17,7 +17,6 @@ Results run_results(const StudyAnswer &answer);
 
 /// Returns the results of `truncate`: a part of those of `run`, with Depth::rows.
 Results truncation_results(const StudyAnswer &answer);
-Json truncate_schema();
 
 /// Returns the results of `converge` from the solved @p axes and their total @p bands.
 Results convergence_results(const Study &study, const std::vector<RefinementAxis> &axes,
