@@ -16,29 +16,6 @@
 namespace stemware::pipeline
 {
 
-namespace
-{
-
-std::shared_ptr<fem::Foot> make_foot(const FootSpecification &specification, fem::ComplianceCache &cache,
-                                     [[maybe_unused]] const fem::Foot *similar)
-{
-  prepare_body(specification.study.contact.body);
-  try
-  {
-#ifdef STEMWARE_HAS_SOLID
-    if (specification.study.contact.body == BodyKind::solid)
-      return make_solid_foot(specification, similar);
-#endif
-    return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(specification), cache);
-  }
-  catch (const std::invalid_argument &error)
-  {
-    throw BadInput(with_entries(error.what()));
-  }
-}
-
-} // namespace
-
 void prepare_body(BodyKind body)
 {
   if (body != BodyKind::solid)
@@ -54,8 +31,23 @@ void prepare_body(BodyKind body)
 
 FootMaker foot_maker(fem::ComplianceCache &cache)
 {
-  return [&cache](const FootSpecification &specification, const fem::Foot *similar)
-  { return make_foot(specification, cache, similar); };
+  return [&cache](const FootSpecification &specification,
+                  [[maybe_unused]] const fem::Foot *similar) -> std::shared_ptr<fem::Foot>
+  {
+    prepare_body(specification.study.contact.body);
+    try
+    {
+#ifdef STEMWARE_HAS_SOLID
+      if (specification.study.contact.body == BodyKind::solid)
+        return make_solid_foot(specification, similar);
+#endif
+      return std::make_shared<fem::MeshedRevolutionFoot>(revolution_setup(specification), cache);
+    }
+    catch (const std::invalid_argument &error)
+    {
+      throw BadInput(with_entries(error.what()));
+    }
+  };
 }
 
 std::vector<fem::SectionPolygon> foot_section(const FootSpecification &specification)
