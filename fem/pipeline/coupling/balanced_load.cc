@@ -4,25 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace stemware::pipeline
 {
-
-namespace
-{
-
-/// Sorts @p pointwise by azimuth in [0, 2 pi).
-void sort_by_azimuth(std::vector<fem::AzimuthValue> &pointwise)
-{
-  constexpr double turn = 2 * ring::pi;
-  for (fem::AzimuthValue &place : pointwise)
-    place.azimuth -= turn * std::floor(place.azimuth / turn);
-  std::sort(pointwise.begin(), pointwise.end(),
-            [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });
-}
-
-} // namespace
 
 BalancedLoad given_load(const ring::RingStack &load)
 {
@@ -52,7 +36,10 @@ LoadReport report_of(const fem::ContactState &state, double contact_radius, bool
   report.outer_radius = state.outer_radius;
   if (tilts)
     report.tilt = state.solution.motion.tail<2>();
-  sort_by_azimuth(report.pointwise);
+  for (fem::AzimuthValue &place : report.pointwise) // azimuths in [0, 2 pi), ascending
+    place.azimuth -= 2 * ring::pi * std::floor(place.azimuth / (2 * ring::pi));
+  std::sort(report.pointwise.begin(), report.pointwise.end(),
+            [](const auto &one, const auto &other) { return one.azimuth < other.azimuth; });
   return report;
 }
 
