@@ -51,9 +51,8 @@ std::vector<ResultFile> example_files()
 Json sweep_file_columns()
 {
   Json columns = { { "case", column_facts({ "case", "1", "", "case", "case" }) } };
-  columns["*"] = { { "name", "*" },
-                   { "unit", "*" },
-                   { "label", "an entry that differs from case to case, Section/Entry, in its unit" } };
+  columns["*"] = column_facts(
+    { "*", "*", "", "*", "an entry that differs from case to case, Section/Entry, in its unit" });
   for (Quantity quantity : sweep_columns())
   {
     quantity.name = quantity.key;
@@ -78,12 +77,9 @@ Json files()
 
 Json schema()
 {
-  const auto text = [](const char *description) -> Json {
-    return { { "type", "string" }, { "description", description } };
-  };
-  const Json program =
-    schema_of_object({ { "version", "", "Its version.", "", "", "", "", "", text("Its version.") },
-                       { "revision", "", "Its commit.", "", "", "", "", "", text("Its commit.") } });
+  const Json text = { { "type", "string" } };
+  const Json program = schema_of_object({ { "version", "", "Its version.", "", "", "", "", "", text },
+                                          { "revision", "", "Its commit.", "", "", "", "", "", text } });
   Json properties = {
     { "schema",
       { { "type", "integer" },
