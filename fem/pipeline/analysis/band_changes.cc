@@ -25,9 +25,7 @@ constexpr double factor_of_lines = 2.5;
 /// Minimum number of elastic harmonics for a comparison of meshes.
 constexpr unsigned int min_harmonics = 4;
 
-using Setting = std::function<void(Variant &)>;
-
-Variant changed(Variant copy, const Setting &change)
+Variant changed(Variant copy, const std::function<void(Variant &)> &change)
 {
   change(copy);
   return copy;
