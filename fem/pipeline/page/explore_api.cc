@@ -5,7 +5,6 @@
 #include "fem/pipeline/analysis/ring_quantities.h"
 #include "fem/pipeline/page/explorer.h"
 #include "fem/pipeline/result/curves.h"
-#include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/study/study_checks.h"
 #include "fem/pipeline/study/study_entries.h"
 

@@ -1,5 +1,3 @@
-#include "fem/pipeline/result/pictures.h"
-
 #include "fem/contact/footprint.h"
 #include "fem/pipeline/result/curves.h"
 #include "ring_model/load/constants.h"

@@ -5,7 +5,6 @@
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/results.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/verb_results.h"

@@ -2,7 +2,6 @@
 #include "fem/pipeline/result/common_sections.h"
 #include "fem/pipeline/result/curves.h"
 #include "fem/pipeline/result/number_format.h"
-#include "fem/pipeline/result/pictures.h"
 #include "fem/pipeline/result/sentences.h"
 #include "fem/pipeline/result/verb_results.h"
 
