@@ -30,9 +30,8 @@ ring::Status status_of(const ContactReport &report, const SpinStudy &spin)
 }
 
 /// Terminal spin. `from_rest` is true if the glass reaches this spin from rest.
-struct SpinRow
+struct SpinRow : ring::TerminalSpin
 {
-  ring::TerminalSpin spin;
   bool from_rest;
 };
 
@@ -47,15 +46,13 @@ std::vector<SpinRow> spins_of(const StudyAnswer &run)
 
 Fields<SpinRow> spin_fields()
 {
-  return { { "omega", "rad/s", "The spin.", [](const SpinRow &row) { return row.spin.omega; } },
-           { "stable", "", "Whether the spin is stable.",
-             [](const SpinRow &row) { return row.spin.stable; } },
-           { "held", "", "Whether the fingers hold the glass at this spin.",
-             [](const SpinRow &row) { return row.spin.held; } },
+  return { { "omega", "rad/s", "The spin.", &SpinRow::omega },
+           { "stable", "", "Whether the spin is stable.", &SpinRow::stable },
+           { "held", "", "Whether the fingers hold the glass at this spin.", &SpinRow::held },
            { "torque_slope", "N m s", "Derivative of the torque with respect to the spin.",
-             [](const SpinRow &row) { return finite_or_null(row.spin.torque_slope); } },
+             [](const SpinRow &row) { return finite_or_null(row.torque_slope); } },
            { "time_constant", "s", "Time constant of the approach, or of the escape if unstable.",
-             [](const SpinRow &row) { return finite_or_null(row.spin.time_constant); } },
+             [](const SpinRow &row) { return finite_or_null(row.time_constant); } },
            { "from_rest", "", "Whether this spin is reached from rest.", &SpinRow::from_rest } };
 }
 
