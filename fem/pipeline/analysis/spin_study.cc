@@ -77,14 +77,6 @@ std::optional<Variant> variant_on_one_ring(const Variant &own)
   return one_ring;
 }
 
-ring::Answer compared_with_full(ring::Answer one_ring, const ring::Answer &all)
-{
-  one_ring.harmonics = all.harmonics;
-  if (one_ring.terminal && all.relative_change)
-    one_ring.relative_change = one_ring.terminal->omega / all.terminal->omega - 1;
-  return one_ring;
-}
-
 std::vector<double> spins_of(const std::vector<ring::YawSample> &samples)
 {
   std::vector<double> spins;
@@ -256,7 +248,12 @@ SpinStudy study_spin(const Analysis &analysis, const BalancedLoad &load, Depth d
     result.phases = study_phases(foot, load, result.answer());
   for (const LoadedRow &other : result.rows.others)
     if (other.variant.kind == VariantKind::one_ring)
-      result.one_ring = compared_with_full(other.row, result.answer());
+    {
+      ring::Answer &one_ring = result.one_ring.emplace(other.row);
+      one_ring.harmonics = result.answer().harmonics;
+      if (one_ring.terminal && result.answer().relative_change)
+        one_ring.relative_change = one_ring.terminal->omega / result.answer().terminal->omega - 1;
+    }
   result.torque_effects = ring::torque_effects(load, study.motion.orbit, result.answer(),
                                                truncation_orders(load.n_harmonics()), &curve.second);
   result.curve_error = curve.second.interpolation_error();
