@@ -46,13 +46,6 @@ fem::ContactGoal second_harmonic_goal(const fem::ContactState &state)
   return goal;
 }
 
-/// Returns the slope d tau_z / d omega at @p omega, with the load in balance at each spin [N m s].
-double slope_at(const BalancedLoad &load, const ring::Motion &motion, double omega)
-{
-  const double step = load.spin_scale(motion) / 512;
-  return (yaw_torque(load, motion, omega + step) - yaw_torque(load, motion, omega - step)) / (2 * step);
-}
-
 /// Fraction of the total error that the halved cells contribute. Cells with the largest errors are halved
 /// first.
 constexpr double marked_share = 0.8;
@@ -118,7 +111,10 @@ std::optional<GoalError> goal_error(const ElasticFoot &foot, const BalancedLoad 
   if (goal == Goal::terminal_spin)
   {
     result.value = omega_terminal;
-    const double per_torque = -1 / slope_at(load, motion, omega);
+    // With the slope d tau_z / d omega [N m s] of the load in balance at each spin.
+    const double step = load.spin_scale(motion) / 512;
+    const double per_torque =
+      -2 * step / (yaw_torque(load, motion, omega + step) - yaw_torque(load, motion, omega - step));
     result.error.correction *= per_torque;
     for (double &share : result.error.cells)
       share *= std::abs(per_torque);
