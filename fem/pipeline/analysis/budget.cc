@@ -12,11 +12,6 @@ namespace stemware::pipeline
 namespace
 {
 
-std::optional<double> unless_nan(double value)
-{
-  return std::isnan(value) ? std::nullopt : std::optional(value);
-}
-
 /// Returns the row of @p solved that follows the rows @p above. @p is_complete: true for the study itself.
 BudgetRow row_below(const std::vector<BudgetRow> &above, const ChainStep &step, const std::string &name,
                     const LoadedRow &solved, bool is_complete, const std::optional<double> &band)
@@ -29,7 +24,8 @@ BudgetRow row_below(const std::vector<BudgetRow> &above, const ChainStep &step, 
   if (!above.empty() && added.omega_terminal && above.back().omega_terminal)
     added.difference = *added.omega_terminal - *above.back().omega_terminal + 0.; // + 0. avoids -0
   for (std::size_t i = 0; i < solved.torques.size(); ++i)
-    added.torques.at(i) = unless_nan(solved.torques[i].friction.torque);
+    if (const double torque = solved.torques[i].friction.torque; !std::isnan(torque))
+      added.torques.at(i) = torque;
   added.status = row.terminal && row.pulls() ? ring::Status::formal : row.status;
   // With lift-off, the truncated Fourier series of the load is slightly negative outside the contact. The
   // pressure is not negative, so the status `formal` (tensile load) does not apply.

@@ -109,15 +109,13 @@ std::vector<LoadedRow> solve_rows(const std::vector<Variant> &variants,
       others.push_back(variants[i]);
   const std::vector<Solved<LoadedRow>> solved =
     solve(others, foot, solved_row, executor, counting_callback(executor.progress, "models", others.size()));
-  for (std::size_t i = 0, next = 0; i < variants.size(); ++i)
-  {
+  auto next = solved.begin();
+  for (std::size_t i = 0; i < variants.size(); ++i)
     if (variants[i].shared != Shared::load)
     {
-      rows[i] = solved[next].answer ? *solved[next].answer
-                                    : loaded_row(variants[i], failed_row(solved[next].failure));
+      rows[i] = next->answer ? *next->answer : loaded_row(variants[i], failed_row(next->failure));
       ++next;
     }
-  }
   return rows;
 }
 

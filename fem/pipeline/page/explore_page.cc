@@ -176,8 +176,6 @@ struct SolvedPair
   std::optional<double> here;  ///< terminal spin that an Explorer computes from these compliances [rad/s]
   /// Twice the difference of the spins, if the page's mesh is coarser than that of `run` [rad/s].
   std::optional<double> band = {};
-
-  std::string spin_text() const { return omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *omega) : "tips"; }
 };
 
 /// Solves a pair. Quantises its compliances with the smallest number of bits that meets `tolerance`.
@@ -311,7 +309,8 @@ std::string explore_page(const PageOptions &options, fem::ComplianceCache &cache
                                                { "omega", pair->omega },
                                                { "here", pair->here },
                                                { "band", pair->band } };
-    const std::string name = pair->glass + " on " + pair->table, spin = pair->spin_text();
+    const std::string name = pair->glass + " on " + pair->table,
+                      spin = pair->omega ? fmt::format(FMT_STRING("{:.4f} rad/s"), *pair->omega) : "tips";
     spins += (spins.empty() ? "" : ", ") + name + ' ' + boost::replace_all_copy(spin, "-", "\u2212");
     progress.note("Pair", fmt::format(FMT_STRING("{}: {} nodes, {}"), name, pair->n_nodes, spin) +
                             (pair->band ? fmt::format(FMT_STRING(" ± {:.1e}"), *pair->band) : ""));

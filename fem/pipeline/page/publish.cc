@@ -81,7 +81,6 @@ void print(const StudyOptions &options, const Results &results, const fs::path &
 {
   console() << console_text(results);
   const fs::path place = options.results_place();
-  const std::string report = (place / "report.html").string();
   console() << "Results   " << place.string() << "\nReport    " << (final_place / "report.html").string()
             << std::endl;
   if (!options.json)
@@ -89,7 +88,7 @@ void print(const StudyOptions &options, const Results &results, const fs::path &
   Json line = { { "verb", options.verb },
                 { "results", place.string() },
                 { "summary", (place / "summary.json").string() },
-                { "report", report } };
+                { "report", (place / "report.html").string() } };
   line.update(results.key_figures);
   std::cout << dump_utf8(line) << std::endl;
 }
