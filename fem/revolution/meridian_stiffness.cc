@@ -18,28 +18,13 @@ using namespace dealii;
 namespace
 {
 
-/// Element stiffness of the displacement harmonics u_r cos(n theta), u_theta sin(n theta), u_z cos(n theta)
-/// (docs/method/revolution.md, "Harmonics"). All strains combine the fields dN/dr, dN/dz and N/r of a shape
-/// function N, so the integrals of products of these fields give the stiffness of every harmonic.
-class HarmonicStiffness
-{
-public:
-  static constexpr Eigen::Index n_fields = 3;
+constexpr Eigen::Index n_fields = 3;
 
-  explicit HarmonicStiffness(const ElasticMaterial &material);
-
-  /// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions. Row 3 i + c belongs to
-  /// the component c (r, theta, z) of function i. @p products [3 m, 3 m]: entry (p m + i, q m + j) is the
-  /// integral of field p (dN/dr, dN/dz or N/r) of function i times field q of function j.
-  std::array<Eigen::MatrixXd, 3> parts(const Eigen::MatrixXd &products) const;
-
-private:
-  /// [part][c][d](p, q): stiffness between the components c and d for the product of the fields p and q.
-  std::array<std::array<std::array<Eigen::Matrix3d, 3>, 3>, 3> coefficients;
-};
+/// [part][c][d](p, q): stiffness between the components c and d for the product of the fields p and q.
+using Coefficients = std::array<std::array<std::array<Eigen::Matrix3d, 3>, 3>, 3>;
 
 /// Strains rr, zz, theta theta, rz, r theta, z theta (engineering shear strains) of each field.
-using StrainOfFields = Eigen::Matrix<double, 6, HarmonicStiffness::n_fields>;
+using StrainOfFields = Eigen::Matrix<double, 6, n_fields>;
 
 /// Strain of harmonic n of a displacement component: constant + n linear.
 struct ComponentStrain
@@ -77,8 +62,12 @@ std::array<ComponentStrain, 3> strains_of_components()
   return strains;
 }
 
-HarmonicStiffness::HarmonicStiffness(const ElasticMaterial &material)
+/// Returns the element stiffness of the displacement harmonics u_r cos(n theta), u_theta sin(n theta), u_z
+/// cos(n theta) (docs/method/revolution.md, "Harmonics"). All strains combine the fields dN/dr, dN/dz and N/r
+/// of a shape function N, so the integrals of products of these fields give the stiffness of every harmonic.
+Coefficients coefficients_of(const ElasticMaterial &material)
 {
+  Coefficients coefficients;
   Eigen::Matrix<double, 6, 6> moduli = Eigen::Matrix<double, 6, 6>::Zero();
   moduli.topLeftCorner<3, 3>().setConstant(material.lame_lambda());
   moduli.diagonal().head<3>().array() += 2 * material.shear_modulus();
@@ -93,9 +82,13 @@ HarmonicStiffness::HarmonicStiffness(const ElasticMaterial &material)
         a.constant.transpose() * moduli * b.linear + a.linear.transpose() * moduli * b.constant;
       coefficients[2][c][d] = a.linear.transpose() * moduli * b.linear;
     }
+  return coefficients;
 }
 
-std::array<Eigen::MatrixXd, 3> HarmonicStiffness::parts(const Eigen::MatrixXd &products) const
+/// Returns K_0, K_1 and K_2 of K_n = K_0 + n K_1 + n^2 K_2 for m shape functions. Row 3 i + c belongs to the
+/// component c (r, theta, z) of function i. @p products [3 m, 3 m]: entry (p m + i, q m + j) is the integral
+/// of field p (dN/dr, dN/dz or N/r) of function i times field q of function j.
+std::array<Eigen::MatrixXd, 3> parts_of(const Coefficients &coefficients, const Eigen::MatrixXd &products)
 {
   const Eigen::Index m = products.rows() / n_fields;
   std::array<Eigen::MatrixXd, 3> parts;
@@ -132,11 +125,11 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
   for (unsigned int i = 0; i < n_shapes; ++i)
     for (unsigned int c = 0; c < 3; ++c)
       order.push_back(element.component_to_system_index(c, i));
-  const HarmonicStiffness stiffness(material);
+  const Coefficients coefficients = coefficients_of(material);
   FEValues<2> fe_values(mapping, element, QGauss<2>(element.degree + 1),
                         update_values | update_gradients | update_JxW_values | update_quadrature_points);
   std::vector<types::global_dof_index> dofs(n_dofs);
-  Eigen::MatrixXd fields(fe_values.n_quadrature_points, HarmonicStiffness::n_fields * n_shapes);
+  Eigen::MatrixXd fields(fe_values.n_quadrature_points, n_fields * n_shapes);
   Eigen::VectorXd weights(fe_values.n_quadrature_points);
   for (const auto &cell : dof_handler.active_cell_iterators())
   {
@@ -157,7 +150,7 @@ MeridianStiffness::MeridianStiffness(const Mapping<2> &mapping, const DoFHandler
     cell->get_dof_indices(dofs);
     for (const unsigned int i : order)
       entry.dofs.push_back(dofs[i]);
-    const auto parts = stiffness.parts(fields.transpose() * weights.asDiagonal() * fields);
+    const auto parts = parts_of(coefficients, fields.transpose() * weights.asDiagonal() * fields);
     for (std::size_t k = 0; k < parts.size(); ++k)
       // The parts are symmetric, so row-major and column-major storage are equal.
       entry.parts[k] = FullMatrix<double>(n_dofs, n_dofs, parts[k].data());

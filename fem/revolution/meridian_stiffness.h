@@ -36,7 +36,7 @@ public:
 private:
   struct Cell
   {
-    std::vector<dealii::types::global_dof_index> dofs; ///< as HarmonicStiffness orders them
+    std::vector<dealii::types::global_dof_index> dofs; ///< 3 i + c: component c of shape function i
     std::array<dealii::FullMatrix<double>, 3> parts;   ///< factors of 1, n and n^2
   };
   std::vector<Cell> cells;
