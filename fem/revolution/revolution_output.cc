@@ -4,6 +4,7 @@
 #include "ring_model/load/constants.h"
 
 #include <deal.II/base/data_out_base.h>
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_q.h>
 
 #include <Eigen/Geometry>
@@ -101,15 +102,8 @@ private:
 };
 
 /// Output nodes of one meridional cell: a grid of pieces, each with the nodes of a Lagrange cell.
-class CellGrid
+struct CellGrid
 {
-public:
-  CellGrid(unsigned int degree, std::array<unsigned int, 2> n_pieces)
-      : degree(degree)
-      , n_pieces(n_pieces)
-  {
-  }
-
   std::array<unsigned int, 2> extent() const
   {
     return { n_pieces[0] * degree + 1, n_pieces[1] * degree + 1 };
@@ -229,7 +223,7 @@ private:
     unsigned int n = 1;
     while (n < max_pieces && std::abs(drawn_force(cell, n) - force) > allowed)
       n *= 2;
-    return face < 2 ? CellGrid(degree, { 1, n }) : CellGrid(degree, { n, 1 });
+    return face < 2 ? CellGrid{ degree, { 1, n } } : CellGrid{ degree, { n, 1 } };
   }
 
   void find_nodes()
@@ -367,14 +361,11 @@ std::string revolution_fields(const MeridianField &field, const BodyOfRevolution
 std::vector<StressedPatch> revolution_section(const MeridianField &field, double azimuth)
 {
   constexpr unsigned int n_points = 2;
-  std::vector<Point<2>> unit_points;
-  for (unsigned int j = 0; j < n_points; ++j)
-    for (unsigned int i = 0; i < n_points; ++i)
-      unit_points.emplace_back(i / (n_points - 1.), j / (n_points - 1.));
+  const Quadrature<2> corners = QTrapezoid<2>();
   std::vector<StressedPatch> patches;
   for (const auto &cell : field.space().dof_handler().active_cell_iterators())
   {
-    const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, Quadrature<2>(unit_points));
+    const MeridianField::Amplitudes amplitudes = field.amplitudes(cell, corners);
     for (const int side : { 1, -1 })
     {
       Eigen::VectorXd modes(field.n_modes()), conjugates(field.n_modes());
@@ -387,7 +378,7 @@ std::vector<StressedPatch> revolution_section(const MeridianField &field, double
       const Eigen::VectorXd in_phase = amplitudes.in_phase * modes,
                             conjugate = amplitudes.conjugate * conjugates;
       StressedPatch patch(n_points);
-      for (unsigned int p = 0; p < unit_points.size(); ++p)
+      for (unsigned int p = 0; p < corners.size(); ++p)
       {
         const auto at = in_phase.segment<6>(6 * p);
         const auto across = conjugate.segment<3>(3 * p);
