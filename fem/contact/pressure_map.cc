@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace stemware::fem
@@ -113,21 +112,23 @@ std::vector<PressurePoint> cut_through(const std::vector<const LoadedLine *> &li
   return cut;
 }
 
-/// Groups the indices of @p azimuths by azimuth, up to rounding, in ascending order.
-std::vector<std::vector<std::size_t>> groups_of_azimuths(const std::vector<double> &azimuths)
+/// Groups @p places, lines or points, by azimuth, up to rounding, in ascending order.
+template <typename Place>
+std::vector<std::vector<const Place *>> grouped_by_azimuth(const std::vector<Place> &places)
 {
   constexpr double tolerance = 1e-7;
-  std::vector<std::size_t> order(azimuths.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::vector<const Place *> order;
+  for (const Place &place : places)
+    order.push_back(&place);
   // The shift maps an azimuth just below 2 pi (by rounding) to 0.
-  const auto key = [&](std::size_t i) { return wrapped(azimuths[i] + tolerance / 2); };
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
-  std::vector<std::vector<std::size_t>> groups;
-  for (const std::size_t i : order)
+  const auto key = [](const Place *place) { return wrapped(place->azimuth + tolerance / 2); };
+  std::sort(order.begin(), order.end(), [&](auto one, auto other) { return key(one) < key(other); });
+  std::vector<std::vector<const Place *>> groups;
+  for (const Place *place : order)
   {
-    if (groups.empty() || key(i) - key(groups.back().front()) > tolerance)
+    if (groups.empty() || key(place) - key(groups.back().front()) > tolerance)
       groups.emplace_back();
-    groups.back().push_back(i);
+    groups.back().push_back(place);
   }
   return groups;
 }
@@ -251,16 +252,8 @@ PressureMap pressure_map_of_lines(const ContactSurface &surface, const Eigen::Ve
     return pressure_map;
   }
   const ContactWidth range = loaded_range(lines);
-  std::vector<double> azimuths;
-  for (const LoadedLine &line : lines)
-    azimuths.push_back(line.azimuth);
-  for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
-  {
-    std::vector<const LoadedLine *> on_cut;
-    for (const std::size_t i : group)
-      on_cut.push_back(&lines[i]);
-    pressure_map.cuts.push_back(cut_through(on_cut, wrapped(azimuths[group.front()]), range));
-  }
+  for (const std::vector<const LoadedLine *> &group : grouped_by_azimuth(lines))
+    pressure_map.cuts.push_back(cut_through(group, wrapped(group.front()->azimuth), range));
   return pressure_map;
 }
 
@@ -280,26 +273,19 @@ PressureMap pressure_map_of_nodes(const ContactSurface &surface, const Eigen::Ve
     largest = std::max(largest, packed[i + 2]);
   }
   ContactWidth range = { 1e300, 0 };
-  std::vector<double> azimuths;
   for (const PressurePoint &node : nodes)
-  {
-    azimuths.push_back(node.azimuth);
     if (node.pressure >= min_share * largest)
       range = { std::min(range.inner, node.radius), std::max(range.outer, node.radius) };
-  }
   // The margin makes a contact on a single circle visible.
   const double margin = std::max(0.25 * (range.outer - range.inner), 1e-4 * range.outer);
   PressureMap pressure_map;
   pressure_map.is_grid = !nodes.empty();
-  for (const std::vector<std::size_t> &group : groups_of_azimuths(azimuths))
+  for (const std::vector<const PressurePoint *> &group : grouped_by_azimuth(nodes))
   {
     std::vector<PressurePoint> cut;
-    for (const std::size_t i : group)
-    {
-      const PressurePoint &node = nodes[i];
-      if (range.inner - margin <= node.radius && node.radius <= range.outer + margin)
-        cut.push_back({ node.radius, wrapped(azimuths[group.front()]), node.pressure });
-    }
+    for (const PressurePoint *node : group)
+      if (range.inner - margin <= node->radius && node->radius <= range.outer + margin)
+        cut.push_back({ node->radius, wrapped(group.front()->azimuth), node->pressure });
     std::sort(cut.begin(), cut.end(),
               [](const PressurePoint &one, const PressurePoint &other) { return one.radius < other.radius; });
     if (!cut.empty())
