@@ -59,27 +59,10 @@ unsigned int PhaseGrids::node(Angle angle, unsigned int i) const
   return angle == &PhaseGrids::glass ? i / table.size() : i % table.size();
 }
 
-PhaseGrids PhaseGrids::halved(Angle angle) const
-{
-  PhaseGrids halved = *this;
-  halved.*angle = (this->*angle).halved();
-  return halved;
-}
-
 Eigen::VectorXd PhaseGrids::weights(const Orientation &phase) const
 {
   const Eigen::VectorXd of_glass = glass.weights(phase.glass), of_table = table.weights(phase.table);
   return (of_table * of_glass.transpose()).reshaped();
-}
-
-Eigen::VectorXd PhaseGrids::interpolated(const Eigen::Ref<const Eigen::MatrixXd> &columns,
-                                         const Orientation &phase) const
-{
-  const Eigen::VectorXd weights_there = weights(phase);
-  Eigen::Index nearest = 0;
-  if (weights_there.maxCoeff(&nearest) == 1 && weights_there.lpNorm<1>() == 1)
-    return columns.col(nearest);
-  return columns * weights_there;
 }
 
 double torque_difference(const Sample &one, const Sample &other)
@@ -100,6 +83,15 @@ PhaseSamples::PhaseSamples(const PhaseGrids &grids, const Eigen::MatrixXd &colum
     , loads(columns)
     , rings_per_load(n_rings)
 {
+}
+
+Sample PhaseSamples::at(const Orientation &phase) const
+{
+  const Eigen::VectorXd weights = grids.weights(phase);
+  Eigen::Index nearest = 0;
+  if (weights.maxCoeff(&nearest) == 1 && weights.lpNorm<1>() == 1)
+    return sample(static_cast<unsigned int>(nearest));
+  return load_of(loads * weights);
 }
 
 Sample PhaseSamples::mean() const
@@ -141,7 +133,8 @@ SampleError PhaseSamples::error() const
 
 PhaseSamples PhaseSamples::halved(PhaseGrids::Angle angle) const
 {
-  const PhaseGrids half = grids.halved(angle);
+  PhaseGrids half = grids;
+  half.*angle = (grids.*angle).halved();
   Eigen::MatrixXd kept(loads.rows(), half.size());
   for (unsigned int i = 0, k = 0; i < grids.size(); ++i)
     if (grids.node(angle, i) % 2 == 0)

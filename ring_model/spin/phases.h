@@ -59,13 +59,8 @@ struct PhaseGrids
   Orientation phase(unsigned int i) const;
   /// Returns the index of the node of one angle at phase @p i.
   unsigned int node(Angle angle, unsigned int i) const;
-  /// Returns the grids with every other node of one angle.
-  PhaseGrids halved(Angle angle) const;
   /// Returns the weights of the phases in the interpolant at @p phase. Shape [size()].
   Eigen::VectorXd weights(const Orientation &phase) const;
-  /// Returns the column interpolated at @p phase from @p columns, one for each phase.
-  Eigen::VectorXd interpolated(const Eigen::Ref<const Eigen::MatrixXd> &columns,
-                               const Orientation &phase) const;
 };
 
 /// Returns the distance of two loads: largest difference of tau_z over mu N R (R: ring radius of @p other) at
@@ -92,7 +87,7 @@ public:
 
   /// Returns the load at phase @p i, or at any phase by trigonometric interpolation.
   Sample sample(unsigned int i) const { return load_of(loads.col(i)); }
-  Sample at(const Orientation &phase) const { return load_of(grids.interpolated(loads, phase)); }
+  Sample at(const Orientation &phase) const;
 
   /// Returns the mean over all phases (trapezoidal rule), which has the mean moment.
   Sample mean() const;
@@ -108,6 +103,7 @@ private:
   {
     return Sample::from_coefficients(column, rings_per_load);
   }
+  /// Returns the samples at every other node of one angle.
   PhaseSamples halved(PhaseGrids::Angle angle) const;
   /// Returns the largest torque_difference() of every other phase of an angle to its interpolation.
   double error_of_half(PhaseGrids::Angle angle) const;
