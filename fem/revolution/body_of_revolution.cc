@@ -65,7 +65,7 @@ std::shared_ptr<ContactSurface> BodyOfRevolution::lines() const
   result->mirrored_lines.reserve(n_lines * pieces.size());
   for (unsigned int j = 0; j < n_lines; ++j)
   {
-    const Eigen::RowVector2d outward(basis.cosine(1, j), basis.sine(1, j));
+    const Eigen::RowVector2d outward(basis.cosine_table()(j, 1), basis.sine_table()(j, 1));
     const Eigen::RowVector2d across(-outward(1), outward(0));
     for (unsigned int i = 0; i < n_radii; ++i)
       result->node_position.row(j * n_radii + i) = circles.radii(i) * outward;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace stemware::fem
 {
@@ -48,8 +49,7 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
     : n(n_harmonics)
 {
   require_resolved(n_harmonics, n_lines);
-  cosines.resize(n_lines);
-  sines.resize(n_lines);
+  std::vector<double> cosines(n_lines), sines(n_lines); // of 2 pi k / n_lines
   for (unsigned int k = 0; 2 * k <= n_lines; ++k)
   {
     const double angle = 2 * ring::pi * k / n_lines;
@@ -63,8 +63,8 @@ FourierBasis::FourierBasis(unsigned int n_harmonics, unsigned int n_lines)
   for (unsigned int j = 0; j < n_lines; ++j)
     for (unsigned int p = 0; p <= 2 * n; ++p)
     {
-      cosine_values(j, p) = cosine(p, j);
-      sine_values(j, p) = sine(p, j);
+      cosine_values(j, p) = cosines[p * j % n_lines];
+      sine_values(j, p) = sines[p * j % n_lines];
     }
 }
 

@@ -2,8 +2,6 @@
 
 #include <Eigen/Core>
 
-#include <vector>
-
 namespace stemware::fem
 {
 
@@ -17,7 +15,7 @@ public:
   FourierBasis(unsigned int n_harmonics, unsigned int n_lines);
 
   unsigned int n_harmonics() const { return n; }
-  unsigned int n_lines() const { return static_cast<unsigned int>(cosines.size()); }
+  unsigned int n_lines() const { return static_cast<unsigned int>(cosine_values.rows()); }
   unsigned int n_modes() const { return 2 * n + 1; }
   double azimuth(unsigned int line) const;
 
@@ -25,12 +23,6 @@ public:
   static bool is_sine(unsigned int mode) { return mode > 0 && mode % 2 == 0; }
   /// Returns int_0^{2 pi} (mode)^2 dtheta: 2 pi for the mean, pi for all other modes.
   static double norm(unsigned int mode);
-
-  double cosine(unsigned int harmonic, unsigned int line) const
-  {
-    return cosines[harmonic * line % n_lines()];
-  }
-  double sine(unsigned int harmonic, unsigned int line) const { return sines[harmonic * line % n_lines()]; }
 
   /// Returns sum_j samples(i, j) mode(theta_j): shape [n_rows, n_lines] to [n_rows, n_modes]. Exactly even
   /// samples give exactly zero sine modes.
@@ -53,8 +45,6 @@ private:
   auto sine_modes() const { return Eigen::seqN(2, static_cast<Eigen::Index>(n), Eigen::fix<2>); }
 
   unsigned int n;
-  std::vector<double> cosines; ///< cos(2 pi k / n_lines)
-  std::vector<double> sines;
   Eigen::MatrixXd cosine_values;
   Eigen::MatrixXd sine_values;
 };
