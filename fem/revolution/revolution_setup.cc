@@ -16,6 +16,12 @@ namespace stemware::fem
 namespace
 {
 
+/// Returns (1 - nu^2) / E [1/Pa].
+double plane_strain_compliance_of(const ElasticMaterial &material)
+{
+  return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus;
+}
+
 /// A rigid foot uses the mesh of the elastic foot if the elasticity of the foot multiplies the compliance of
 /// foot and substrate by less than this factor.
 constexpr double most_added_by_foot = 1.2;
@@ -24,25 +30,9 @@ constexpr double most_added_by_foot = 1.2;
 
 double RevolutionSetup::plane_strain_compliance() const
 {
-  const auto of = [](const ElasticMaterial &material)
-  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus; };
-  double compliance = foot_is_rigid ? 0 : of(material);
+  double compliance = foot_is_rigid ? 0 : plane_strain_compliance_of(material);
   if (table.substrate)
-    compliance += of(table.substrate->material);
-  return compliance;
-}
-
-double RevolutionSetup::compliance_under_band(double width) const
-{
-  const auto of_half_space = [&](const ElasticMaterial &material)
-  { return (1 - material.poisson_ratio * material.poisson_ratio) / material.young_modulus * width; };
-  double compliance = foot_is_rigid ? 0 : of_half_space(material);
-  if (table.substrate)
-  {
-    const ElasticMaterial &below = table.substrate->material;
-    compliance += std::min(of_half_space(below), table.substrate->disc.thickness /
-                                                   (below.lame_lambda() + 2 * below.shear_modulus()));
-  }
+    compliance += plane_strain_compliance_of(table.substrate->material);
   return compliance;
 }
 
@@ -76,8 +66,16 @@ std::shared_ptr<const InterfaceLaw> RevolutionSetup::interface() const
 {
   if (!table.interface->is_hard())
     return table.interface;
-  const double compliance = compliance_under_band(
-    profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width);
+  const double width =
+    profile.crown_radius > 0 && contact_half_width > 0 ? contact_half_width : profile.land_width;
+  double compliance = foot_is_rigid ? 0 : plane_strain_compliance_of(material) * width;
+  if (table.substrate)
+  {
+    const ElasticMaterial &below = table.substrate->material;
+    compliance +=
+      std::min(plane_strain_compliance_of(below) * width,
+               table.substrate->disc.thickness / (below.lame_lambda() + 2 * below.shear_modulus()));
+  }
   if (compliance == 0)
     throw std::invalid_argument("A rigid foot on a hard, rigid table has no defined pressure; make foot, "
                                 "interface or substrate compliant.");

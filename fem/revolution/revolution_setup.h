@@ -50,8 +50,9 @@ struct RevolutionSetup
   /// land. Under a hard interface, cells are refined towards the inner edge of a flat land.
   RevolutionSetup resolved_for(double normal_force) const;
 
-  /// Returns the table's interface; for a hard table a penalty law whose penetration is 1 / hardness of
-  /// compliance_under_band() times the pressure. Throws std::invalid_argument if no part is compliant.
+  /// Returns the table's interface; for a hard table a penalty law whose penetration is 1 / hardness of the
+  /// bodies' displacement under a band of pressure: of a half-space or, if smaller, of the substrate as a
+  /// laterally confined layer. Throws std::invalid_argument if no part is compliant.
   std::shared_ptr<const InterfaceLaw> interface() const;
 
   /// Returns the compliance of foot and substrate without disabled parts. @p disc: nullptr without substrate.
@@ -66,10 +67,6 @@ struct RevolutionSetup
 
   /// Returns the load per length of the rim under @p normal_force [N/m].
   double line_load(double normal_force) const;
-
-  /// Returns the displacement of the compliant bodies per pressure on a band of @p width [m/Pa]: of a
-  /// half-space or, if smaller, of the substrate as a laterally confined layer.
-  double compliance_under_band(double width) const;
 
   /// Returns (1 - nu^2) / E of the compliant bodies, 1 / E* [1/Pa].
   double plane_strain_compliance() const;
