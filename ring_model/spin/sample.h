@@ -63,9 +63,8 @@ struct Sample : RingStack
   /// Returns the load without its harmonics above @p n_harmonics, with the same tilt and margins.
   Sample truncated(unsigned int n_harmonics) const
   {
-    Sample kept = { RingStack::truncated(n_harmonics), tilt };
-    kept.lift_off_margin = lift_off_margin;
-    kept.stability_margin = stability_margin;
+    Sample kept = *this;
+    static_cast<RingStack &>(kept) = RingStack::truncated(n_harmonics);
     return kept;
   }
 };
