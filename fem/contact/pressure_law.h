@@ -32,9 +32,9 @@ public:
   /// Keeps a reference to @p surface.
   PressureLaw(const ContactSurface &surface, const Pressure &pressure)
       : surface(surface)
+      , law(pressure)
       , pattern(surface)
       , areas(surface.lines.begin(), surface.lines.end())
-      , law(pressure)
   {
   }
 
@@ -119,7 +119,7 @@ public:
 
   std::optional<double> pressure_at(double penetration) const override { return law.pressure(penetration); }
 
-private:
+protected:
   std::vector<Eigen::Vector3d> penetrations(const Eigen::VectorXd &normal_displacement) const
   {
     std::vector<Eigen::Vector3d> depths;
@@ -129,6 +129,10 @@ private:
     return depths;
   }
 
+  const ContactSurface &surface;
+  const Pressure law;
+
+private:
   /// Returns an upper bound of the penetration on a line, by its Bezier control points.
   static double greatest(const Eigen::Vector3d &depth)
   {
@@ -196,10 +200,8 @@ private:
     pattern.add(l, image, force, tangent, contact.forces, contact.tangent);
   }
 
-  const ContactSurface &surface;
   const LinePattern pattern;
   const std::vector<AreaElement> areas; ///< area elements of the lines
-  const Pressure law;
 };
 
 /// Interface whose pressure depends on the local penetration only. @p Law derives from PressureInterface<Law>

@@ -124,12 +124,7 @@ PressureProfile profile_of(const PressureMoments &moments, double exponent)
 class StiffSpringLaw : public PressureLaw<WinklerInterface>
 {
 public:
-  StiffSpringLaw(const ContactSurface &surface, const WinklerInterface &spring)
-      : PressureLaw(surface, spring)
-      , land(surface)
-      , spring(spring)
-  {
-  }
+  using PressureLaw::PressureLaw;
 
   ContactExtent extent(const ContactSolution &solution) const override
   {
@@ -152,16 +147,11 @@ private:
   /// Returns the pressure profiles of the cuts; empty unless the land is crowned and its lines are radial.
   std::vector<PressureProfile> profiles_of(const ContactSolution &solution) const
   {
-    if (!land.is_crowned || !land.lines_are_radial)
+    if (!surface.is_crowned || !surface.lines_are_radial)
       return {};
-    std::vector<Eigen::Vector3d> depths;
-    for (const ContactLine &line : land.lines)
-      depths.push_back(penetration(line, solution.normal_displacement));
-    return profiles_of_cuts(land, depths, [this](double depth) { return spring.pressure(depth); });
+    return profiles_of_cuts(surface, penetrations(solution.normal_displacement),
+                            [this](double depth) { return law.pressure(depth); });
   }
-
-  const ContactSurface &land;
-  const WinklerInterface spring;
 };
 
 class StiffSpring : public WinklerInterface
@@ -169,10 +159,6 @@ class StiffSpring : public WinklerInterface
 public:
   using WinklerInterface::WinklerInterface;
 
-  std::shared_ptr<const InterfaceLaw> softened(double factor) const override
-  {
-    return std::make_shared<StiffSpring>(modulus / factor);
-  }
   std::unique_ptr<TableLaw> make(const ContactSurface &surface, double /*penalty*/) const override
   {
     validate();
