@@ -77,15 +77,15 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
 {
   const CircleRange loaded(forces);
   const Eigen::MatrixXd normal = forces.middleRows(loaded.first, loaded.size);
-  const double per_line = n_lines() / FourierBasis::norm(0);
   const auto columns = [&](const Eigen::MatrixXd &matrix)
   { return matrix.middleCols(loaded.first, loaded.size); };
 
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n_radii(), n_lines());
-  add_product(columns(circles.tail.normal), per_line * normal, result);
+  add_product(columns(circles.tail.normal), lines_per_radian() * normal, result);
   if (has_sliding())
     add_product(columns(circles.tail.radial),
-                per_line * normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size)), result);
+                lines_per_radian() * normal.cwiseProduct(slide_radial.middleRows(loaded.first, loaded.size)),
+                result);
   const ForceModes of_forces = force_modes(normal, loaded.first);
   Eigen::MatrixXd amplitudes = Eigen::MatrixXd::Zero(n_radii(), modes.n_modes());
   for (unsigned int mode = 0; mode < modes.n_modes(); ++mode)
@@ -100,16 +100,6 @@ Eigen::MatrixXd ElasticResponse::displacement(const Eigen::MatrixXd &forces) con
     amplitudes.col(mode) /= FourierBasis::norm(mode);
   }
   return result + modes.evaluate(amplitudes);
-}
-
-HarmonicCompliance ElasticResponse::local(Eigen::Index first, Eigen::Index size) const
-{
-  const double per_line = n_lines() / FourierBasis::norm(0);
-  HarmonicCompliance result;
-  result.normal = per_line * circles.tail.normal.block(first, first, size, size);
-  if (has_sliding())
-    result.radial = per_line * circles.tail.radial.block(first, first, size, size);
-  return result;
 }
 
 } // namespace stemware::fem

@@ -56,9 +56,8 @@ public:
   /// Returns the harmonics up to n_max of the forces on the circles from @p first on.
   ForceModes force_modes(const Eigen::MatrixXd &forces, Eigen::Index first = 0) const;
 
-  /// Returns D on the circles @p first ... @p first + @p size - 1 [m/N]: `normal`, and `radial`, a factor of
-  /// the radial traction, empty without friction; `azimuthal` is zero.
-  HarmonicCompliance local(Eigen::Index first, Eigen::Index size) const;
+  /// Returns n_lines / 2 pi, the factor of C_tail in D.
+  double lines_per_radian() const { return n_lines() / FourierBasis::norm(0); }
 
   /// Returns C_n - C_tail on a range of circles; the azimuthal part is C_n itself.
   HarmonicCompliance difference(unsigned int harmonic, Eigen::Index first, Eigen::Index size) const

@@ -158,7 +158,7 @@ private:
     const Eigen::Index n_radii = response.n_radii(), n_lines = response.n_lines();
     const Eigen::Index n_functions = smooth.values.cols();
     const Eigen::VectorXd &radii = response.compliance().radii;
-    const HarmonicCompliance local = response.local(circles.first, circles.size);
+    const HarmonicCompliance &tail = response.compliance().tail;
     LineBundle system;
     for (Eigen::Index first_line = 0; first_line < n_lines; first_line += Lanes::n)
     {
@@ -197,10 +197,12 @@ private:
               system.tangent(entry.row() - j * n_radii - first, i - first, lane) = entry.value();
         }
       }
-      const auto part = [&](const Eigen::MatrixXd &matrix) -> RowMatrix
-      { return matrix.size() > 0 ? RowMatrix(matrix.block(from, from, size, size)) : RowMatrix(); };
+      const auto local = [&](const Eigen::MatrixXd &matrix) -> RowMatrix
+      { return response.lines_per_radian() * matrix.block(first, first, size, size); };
       bundles.push_back(
-        { first_line, { first, size }, system.solve(part(local.normal), part(local.radial)) });
+        { first_line,
+          { first, size },
+          system.solve(local(tail.normal), response.has_sliding() ? local(tail.radial) : RowMatrix()) });
     }
   }
 
