@@ -6,6 +6,7 @@
 #include "ring_model/load/constants.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -78,33 +79,29 @@ std::vector<PressureMoments> moments_of_cuts(const ContactSurface &surface,
     return {};
   const double origin = sums(1) / sums(0); // an origin inside the contact limits cancellation
 
-  std::vector<Moments> of_lines(depths.size(), Moments::Zero()), of_cuts;
+  std::array<std::vector<double>, n_moments> of_lines;
+  of_lines.fill(std::vector<double>(depths.size(), 0));
   for (std::size_t l = 0; l < depths.size(); ++l)
     integrate(l,
               [&](double radius, double force)
               {
-                for (int k = 0; k < n_moments; ++k, force *= radius - origin)
-                  of_lines[l](k) += force;
+                for (std::vector<double> &moment : of_lines)
+                {
+                  moment[l] += force;
+                  force *= radius - origin;
+                }
               });
-  std::vector<double> azimuths;
-  for (int k = 0; k < n_moments; ++k)
-  {
-    std::vector<double> values;
-    for (const Moments &moments : of_lines)
-      values.push_back(moments(k));
-    const std::vector<AzimuthValue> sums_of_cuts =
-      values_of_cuts(surface, values, [](double one, double other) { return one + other; });
-    azimuths.resize(sums_of_cuts.size());
-    of_cuts.resize(sums_of_cuts.size());
-    for (std::size_t c = 0; c < sums_of_cuts.size(); ++c)
-    {
-      of_cuts[c](k) = sums_of_cuts[c].value;
-      azimuths[c] = sums_of_cuts[c].azimuth;
-    }
-  }
+  std::array<std::vector<AzimuthValue>, n_moments> of_cuts;
+  for (std::size_t k = 0; k < n_moments; ++k)
+    of_cuts[k] = values_of_cuts(surface, of_lines[k], [](double one, double other) { return one + other; });
   std::vector<PressureMoments> cuts;
-  for (std::size_t c = 0; c < of_cuts.size(); ++c)
-    cuts.push_back(central_moments(azimuths[c], origin, of_cuts[c]));
+  for (std::size_t c = 0; c < of_cuts[0].size(); ++c)
+  {
+    Moments of_cut;
+    for (std::size_t k = 0; k < n_moments; ++k)
+      of_cut(static_cast<Eigen::Index>(k)) = of_cuts[k][c].value;
+    cuts.push_back(central_moments(of_cuts[0][c].azimuth, origin, of_cut));
+  }
   return cuts;
 }
 
