@@ -32,7 +32,7 @@ public:
   {
     return (forces - state).norm() / forces.norm();
   }
-  unsigned int n_unknowns() const override { return static_cast<unsigned int>(state.size()) + 3; }
+  unsigned int n_unknowns() const { return static_cast<unsigned int>(state.size()) + 3; }
 
 protected:
   /// Returns the displacement [m] under nodal @p forces [N].

@@ -54,8 +54,6 @@ public:
 
   /// Returns |B' forces - K u| / |B' forces|.
   virtual double equilibrium_residual(const Eigen::VectorXd &forces) const = 0;
-
-  virtual unsigned int n_unknowns() const = 0;
 };
 
 } // namespace stemware::fem

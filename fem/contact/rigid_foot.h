@@ -29,7 +29,6 @@ public:
   void update(double) override {}
   void reset() override {}
   double equilibrium_residual(const Eigen::VectorXd &) const override { return 0; }
-  unsigned int n_unknowns() const override { return 3; }
 
 private:
   const ContactSurface &surface;

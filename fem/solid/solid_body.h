@@ -43,7 +43,7 @@ public:
   void update(double step_length) override;
   void reset() override;
   double equilibrium_residual(const Eigen::VectorXd &forces) const override;
-  unsigned int n_unknowns() const override { return static_cast<unsigned int>(dofs().n_dofs()); }
+  unsigned int n_unknowns() const { return static_cast<unsigned int>(dofs().n_dofs()); }
 
   const dealii::DoFHandler<3> &dofs() const { return mesh().dof_handler; }
   const SolidLevel &mesh() const { return stiffness->mesh(); }
