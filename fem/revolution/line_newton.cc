@@ -40,13 +40,6 @@ Eigen::MatrixXd polynomials(const Eigen::VectorXd &radii, Eigen::Index n_functio
          Eigen::MatrixXd::Identity(n_radii, n_functions);
 }
 
-HarmonicCompliance reduced_to(const Eigen::MatrixXd &functions, const HarmonicCompliance &compliance)
-{
-  const auto reduce = [&](const Eigen::MatrixXd &matrix) -> Eigen::MatrixXd
-  { return functions.transpose() * matrix * functions; };
-  return { reduce(compliance.normal), reduce(compliance.radial), reduce(compliance.azimuthal) };
-}
-
 class LineNewton
 {
 public:
@@ -246,8 +239,10 @@ private:
       const bool contracts = n_functions >= many_functions && !(contraction > slowest_contraction);
       if (worst <= allowed || contracts || n_functions >= circles.size)
       {
-        for (const HarmonicCompliance &harmonic : differences)
-          chosen.reduced.push_back(reduced_to(functions, harmonic));
+        const auto reduced = [&](const Eigen::MatrixXd &matrix) -> Eigen::MatrixXd
+        { return functions.transpose() * matrix * functions; };
+        for (const auto &[normal, radial, azimuthal] : differences)
+          chosen.reduced.push_back({ reduced(normal), reduced(radial), reduced(azimuthal) });
         chosen.values = functions;
         return chosen;
       }

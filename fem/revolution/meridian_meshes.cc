@@ -73,22 +73,6 @@ std::set<unsigned int> reentrant_corners(const Triangulation<2> &triangulation)
   return corners;
 }
 
-void flag_corner_cells(Triangulation<2> &triangulation, const std::set<unsigned int> &corners)
-{
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const unsigned int v : cell->vertex_indices())
-      if (corners.count(cell->vertex_index(v)) > 0)
-        cell->set_refine_flag();
-}
-
-void flag(Triangulation<2> &triangulation, const std::vector<unsigned int> &active_cells)
-{
-  const std::set<unsigned int> marked(active_cells.begin(), active_cells.end());
-  for (const auto &cell : triangulation.active_cell_iterators())
-    if (marked.count(cell->active_cell_index()) > 0)
-      cell->set_refine_flag();
-}
-
 } // namespace
 
 MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
@@ -98,12 +82,19 @@ MeridianMeshes::MeridianMeshes(const RevolutionSetup &setup)
     make_meridian_mesh(setup.table.substrate->disc, setup.profile, setup.resolution, disc);
   for (unsigned int i = 0; i < setup.corner_halvings; ++i)
   {
-    flag_corner_cells(foot, reentrant_corners(foot));
+    const std::set<unsigned int> corners = reentrant_corners(foot);
+    for (const auto &cell : foot.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (corners.count(cell->vertex_index(v)) > 0)
+          cell->set_refine_flag();
     refine();
   }
   for (const std::vector<unsigned int> &cells : setup.halved_cells)
   {
-    flag(foot, cells);
+    const std::set<unsigned int> marked(cells.begin(), cells.end());
+    for (const auto &cell : foot.active_cell_iterators())
+      if (marked.count(cell->active_cell_index()) > 0)
+        cell->set_refine_flag();
     refine();
   }
   for (unsigned int i = 0; i < setup.halvings_beyond_zone; ++i)
