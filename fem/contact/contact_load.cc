@@ -94,20 +94,6 @@ private:
   double sine = 0;
 };
 
-void require_radii(const std::vector<double> &radii)
-{
-  bool usable = !radii.empty() && std::isfinite(radii.back());
-  double before = 0;
-  for (const double radius : radii)
-  {
-    usable = usable && radius > before;
-    before = radius;
-  }
-  if (!usable)
-    throw std::invalid_argument(
-      "The rings' radii are not allowed; give positive numbers in ascending order.");
-}
-
 bool are_equidistant(const std::vector<AzimuthValue> &pointwise)
 {
   const double step = 2 * pi / static_cast<double>(pointwise.size());
@@ -144,7 +130,11 @@ RingWeights::RingWeights(std::vector<double> radii_given)
     , factors(Eigen::VectorXd::Ones(static_cast<Eigen::Index>(radii.size())))
     , shares(factors)
 {
-  require_radii(radii);
+  const auto is_not_below = [](double one, double other) { return !(one < other); };
+  if (radii.empty() || !(radii.front() > 0) || !std::isfinite(radii.back()) ||
+      std::adjacent_find(radii.begin(), radii.end(), is_not_below) != radii.end())
+    throw std::invalid_argument(
+      "The rings' radii are not allowed; give positive numbers in ascending order.");
   for (std::size_t j = 0; j < radii.size(); ++j)
     for (std::size_t k = 0; k < radii.size(); ++k)
       if (k != j)
