@@ -34,11 +34,7 @@ double averaging_window(const PhasePeriods &periods, const Motion &motion, const
 std::optional<double> spin_at_first_phase(const PhaseSampledLoad &phases, const Motion &motion,
                                           const SpinSearch &search)
 {
-  const auto torque = [&](double omega)
-  {
-    const Sample at_spin = phases.at_first_phase(omega);
-    return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
-  };
+  const auto torque = [&](double omega) { return yaw_torque(phases.at_first_phase(omega), motion, omega); };
   const std::optional<double> spin =
     find_or_nullopt([&] { return find_terminal_spin(torque, search).omega; });
   return spin && *spin != 0 ? spin : std::nullopt;
@@ -268,11 +264,15 @@ bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Mot
                    negligible * std::abs(zero->torque_slope * zero->omega);
 }
 
+double yaw_torque(const Sample &load, const Motion &motion, double omega)
+{
+  return wrench(motion, load, omega).torque + load.lean_torque();
+}
+
 double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks)
 {
-  const Sample at_spin = load.at(omega, marks);
-  return wrench(motion, at_spin, omega).torque + at_spin.lean_torque();
+  return yaw_torque(load.at(omega, marks), motion, omega);
 }
 
 } // namespace stemware::ring

@@ -123,7 +123,10 @@ Answer compared_with_all(Answer answer, const Answer &all, const Load &load, con
 /// bound on their torque is below 1/10 of the search's tolerance.
 bool are_negligible_above(unsigned int n_harmonics, const Answer &all, const Motion &motion);
 
-/// Returns tau_z of friction plus lean torque [N m] at @p marks; without @p marks, the mean over the phases.
+/// Returns tau_z of friction plus lean torque [N m] under @p load, the load at the spin @p omega [rad/s].
+double yaw_torque(const Sample &load, const Motion &motion, double omega);
+
+/// Returns yaw_torque() at @p marks; without @p marks, of the mean over the phases.
 double yaw_torque(const Load &load, const Motion &motion, double omega,
                   const std::optional<Orientation> &marks = {});
 } // namespace stemware::ring

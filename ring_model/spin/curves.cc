@@ -95,10 +95,7 @@ PhasedTorqueFunction tabulated_torque(const Load &load, const Motion &motion, do
     Eigen::VectorXd torques(grids.size());
     Eigen::Index i = 0;
     for (const Sample &all : load.phases()->samples(omega))
-    {
-      const Sample kept = all.truncated(load.n_harmonics());
-      torques(i++) = wrench(motion, kept, omega).torque + kept.lean_torque();
-    }
+      torques(i++) = yaw_torque(all.truncated(load.n_harmonics()), motion, omega);
     return torques;
   };
   const auto error = [](double, const Eigen::VectorXd &interpolated, const Eigen::VectorXd &exact)

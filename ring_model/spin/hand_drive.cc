@@ -1,6 +1,5 @@
 #include "ring_model/spin/hand_drive.h"
 
-#include "ring_model/friction_functionals.h"
 #include "ring_model/self_consistent_ring.h"
 #include "ring_model/spin/answer.h"
 
@@ -23,8 +22,7 @@ PhasedTorqueFunction driven_torque(const Motion &motion, OrbitSpeedTable speeds,
   return [motion, speeds = std::move(speeds), load = std::move(load)](double time, double, double omega)
   {
     const Motion now = speeds.motion_at(motion, time);
-    const Sample at_spin = load(now, time, omega);
-    return wrench(now, at_spin, omega).torque + at_spin.lean_torque();
+    return yaw_torque(load(now, time, omega), now, omega);
   };
 }
 
