@@ -101,7 +101,8 @@ ContactCells focused_cells(const GlassProfile &profile, const MeridianResolution
     require(n_halvings.size() <= max_cells, "Contact cells of ", resolution.focus_size, " m within ",
             resolution.focus_width, " m of their focus are more than ", max_cells,
             "; ask for larger ones or a narrower band.");
-    i -= i > 0; // the cell inside may now be too large
+    if (i > 0)
+      --i; // the cell inside may now be too large
   }
   return result;
 }

@@ -18,7 +18,8 @@ struct LoadedRow
   Variant variant = {};
   ring::Answer row = {};
   std::optional<ring::Load> load = {}; ///< std::nullopt if the load failed (Answer::reason), in SpinStudy
-  /// Of rows of the chain: at 0, 0.5 and 1 times the terminal spin of the study; only at 0 if the glass tips.
+  /// Torques of a row of the chain at 0, half and all of the study's terminal spin, or at 0 if the glass
+  /// tips.
   std::vector<ring::Torques> torques = {};
 };
 
