@@ -31,15 +31,16 @@ namespace
 void require_right_side_out(const Mapping<3> &mapping, const DoFHandler<3> &dof_handler)
 {
   const FiniteElement<3> &element = dof_handler.get_fe();
-  FEValues<3> values(mapping, element, QGauss<3>(element.degree + 1), update_JxW_values);
+  // deal.II asserts positive JxW values, but no positive determinants.
+  FEValues<3> values(mapping, element, QGauss<3>(element.degree + 1), update_jacobians);
   unsigned int n_inverted = 0;
   for (const auto &cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
     {
       values.reinit(cell);
       const auto points = values.quadrature_point_indices();
-      n_inverted +=
-        std::any_of(points.begin(), points.end(), [&](unsigned int q) { return values.JxW(q) <= 0; });
+      n_inverted += std::any_of(points.begin(), points.end(),
+                                [&](unsigned int q) { return values.jacobian(q).determinant() <= 0; });
     }
   n_inverted = Utilities::MPI::sum(n_inverted, dof_handler.get_communicator());
   if (n_inverted > 0)
