@@ -153,10 +153,10 @@ void CoarseSolver::set_contact(const Eigen::SparseMatrix<double> &tangent)
   }
   else
   {
-    const SurfaceParts &parts = nodes->parts();
-    const Eigen::SparseMatrix<double> change = tangent - aggregated;
-    if (parts.sum(double(change.cwiseAbs().sum())) <=
-        tolerated_change * parts.sum(double(tangent.cwiseAbs().sum())))
+    // A rank without contact nodes has an empty matrix, which Eigen's SparseMatrix::sum() refuses.
+    const auto size_of = [this](const Eigen::SparseMatrix<double> &part)
+    { return nodes->parts().sum(double(part.coeffs().abs().sum())); };
+    if (size_of(tangent - aggregated) <= tolerated_change * size_of(tangent))
       return;
   }
   aggregated = tangent;
