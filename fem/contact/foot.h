@@ -43,6 +43,9 @@ struct ContactGuess
   const ContactState *previous = nullptr; ///< nearby contact of the same foot; nullptr: none
   /// Predicted contact in the slip frame, at the nodes of the zone of `previous` or of the first zone.
   std::optional<ContactStart> predicted = {};
+  /// Contact closer to rest, in the frame and zone of `predicted`. Near tipping, `previous` and `predicted`
+  /// may lie on the branch of balances beyond the limit point.
+  std::optional<ContactStart> nearer_to_rest = {};
 };
 
 /// Description of a foot for messages and summary.json.

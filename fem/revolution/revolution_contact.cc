@@ -112,16 +112,9 @@ public:
 
   ContactSolution solve(const RevolutionGuesses &starts)
   {
-    const Eigen::VectorXd forces_before = body.forces().reshaped();
-    std::vector<std::function<ContactSolution()>> attempts;
+    Attempts attempts;
     if (starts.predicted)
-      attempts.emplace_back(
-        [&]
-        {
-          if (starts.predicted->forces.size() > 0)
-            body.set_forces(starts.predicted->forces);
-          return solve_from(*starts.predicted);
-        });
+      attempts.emplace_back([&] { return solve_near(*starts.predicted); });
     // On a hard table with waviness, softened starts are omitted, because they converge to contact at other
     // crests. Unsoftened starts fail if the waviness has rotated or after the predicted start has failed.
     const bool on_hard_crests = setup.table.interface->is_hard() && !setup.imperfection.empty();
@@ -139,26 +132,16 @@ public:
               used = i;
               return solution;
             });
-    for (const double largest_step : { large_stiffening, small_stiffening })
-      attempts.emplace_back([&, largest_step] { return solve_cold(conditions, largest_step); });
-    for (const auto &attempt : attempts)
-      try
-      {
-        used.reset();
-        ContactSolution solution = attempt();
-        if (is_stable(solution))
-          return solution;
-        body.set_forces(forces_before);
-      }
-      catch (const ContactFailure &failure)
-      {
-        if (failure.outcome == ContactOutcome::tipping)
-          throw;
-        body.set_forces(forces_before);
-      }
+    if (starts.nearer_to_rest)
+      attempts.emplace_back([&] { return solve_near(*starts.nearer_to_rest); });
+    if (std::optional<ContactSolution> solution = first_stable(attempts))
+      return *solution;
+    if (std::optional<ContactSolution> solution = solve_cold())
+      return *solution;
     const LinearConditions even = conditions.with_scaled_moment(body.contact_surface(), 0);
-    ContactSolution solution = continue_in_moment(body, law, conditions, setup.profile.contact_radius,
-                                                  contact_control(), solve_cold(even, small_stiffening));
+    ContactSolution solution =
+      continue_in_moment(body, law, conditions, setup.profile.contact_radius, contact_control(),
+                         stiffen(even, cold_start(even), small_stiffening));
     if (!is_stable(solution))
       throw ContactFailure(ContactOutcome::tipping,
                            "the only balance found is unstable: the glass tips. Lower "
@@ -170,6 +153,66 @@ public:
   std::vector<ContactIteration> steps; ///< RevolutionContact::history
 
 private:
+  using Attempts = std::vector<std::function<ContactSolution()>>;
+
+  /// Start on a softened interface.
+  struct SoftStart
+  {
+    ContactStart at;
+    double softness = 1;         ///< factor >= 1
+    Eigen::VectorXd forces = {}; ///< of the body [N]
+  };
+
+  /// Returns the first stable solution of @p attempts; std::nullopt if each fails. A failed attempt leaves
+  /// the body as it was. Throws ContactFailure if an attempt finds that the glass tips.
+  std::optional<ContactSolution> first_stable(const Attempts &attempts)
+  {
+    const Eigen::VectorXd forces_before = body.forces().reshaped();
+    for (const auto &attempt : attempts)
+    {
+      try
+      {
+        used.reset();
+        ContactSolution solution = attempt();
+        if (is_stable(solution))
+          return solution;
+      }
+      catch (const ContactFailure &failure)
+      {
+        if (failure.outcome == ContactOutcome::tipping)
+          throw;
+      }
+      body.set_forces(forces_before);
+    }
+    return std::nullopt;
+  }
+
+  /// Returns the stable solution from a cold start; std::nullopt if there is none. Throws like
+  /// first_stable().
+  std::optional<ContactSolution> solve_cold()
+  {
+    SoftStart cold;
+    try
+    {
+      cold = cold_start(conditions);
+    }
+    catch (const ContactFailure &failure)
+    {
+      if (failure.outcome == ContactOutcome::tipping)
+        throw;
+      return std::nullopt;
+    }
+    Attempts attempts;
+    for (const double largest_step : { large_stiffening, small_stiffening })
+      attempts.emplace_back(
+        [&, largest_step]
+        {
+          body.set_forces(cold.forces);
+          return stiffen(conditions, cold, largest_step);
+        });
+    return first_stable(attempts);
+  }
+
   /// Returns the stopping rule; steps are recorded in the history.
   ContactControl contact_control()
   {
@@ -199,19 +242,27 @@ private:
     return solve_contact(body, law, conditions, setup.profile.contact_radius, control, &start);
   }
 
+  /// Returns the solution from @p start and its forces, which belong to the same contact.
+  ContactSolution solve_near(const ContactStart &start)
+  {
+    if (start.forces.size() > 0)
+      body.set_forces(start.forces);
+    return solve_from(start);
+  }
+
   /// Returns the solution from @p start on a softened interface.
   ContactSolution solve_softened(const ContactStart &start)
   {
     const Eigen::VectorXd &gap = body.contact_surface().node_gap;
-    return stiffen(conditions, softening_of_start,
-                   { start.motion, -gap + softening_of_start * (gap + start.normal_displacement) },
-                   softening_of_start, 10);
+    const ContactStart softened = { start.motion,
+                                    -gap + softening_of_start * (gap + start.normal_displacement) };
+    return stiffen(conditions, { softened, softening_of_start }, softening_of_start, 10);
   }
 
-  /// Returns the solution under @p under from a cold start. @p largest_step: factor of a stiffening, at most.
-  ContactSolution solve_cold(const LinearConditions &under, double largest_step)
+  /// Presses the rigid foot under @p under on an interface that is soft enough for a wide band of contact,
+  /// and then the elastic foot with the forces found. Throws ContactFailure.
+  SoftStart cold_start(const LinearConditions &under)
   {
-    const double radius = setup.profile.contact_radius;
     const ContactSurface &surface = body.contact_surface();
 
     // The initial softness makes a rigid rim touch the table over a width that the mesh resolves well.
@@ -228,7 +279,7 @@ private:
     std::unique_ptr<TableLaw> soft_law = soft->make(surface, 0);
     const Eigen::Vector3d pressed_in(-surface.node_gap.minCoeff() - soft->penetration_at(4 * pressure), 0, 0);
     ContactStart at;
-    at.motion = rigid_foot_motion(surface, *soft_law, under, radius, pressed_in);
+    at.motion = rigid_foot_motion(surface, *soft_law, under, setup.profile.contact_radius, pressed_in);
     at.normal_displacement = surface.motion_modes() * at.motion;
 
     // Under the table's forces on the rigid foot, the elastic foot moves mostly as a rigid body. This motion
@@ -239,15 +290,15 @@ private:
     Eigen::Index most_loaded = 0;
     body.forces().rowwise().sum().maxCoeff(&most_loaded);
     at.motion -= body.motion_of_circle(most_loaded);
-    return stiffen(under, softness, at, largest_step);
+    return { at, softness, rigid.forces };
   }
 
-  /// Returns the solution from @p at on an interface softer by the factor @p softness, stiffened in few
-  /// steps; @p divergence_residual as in ContactControl.
-  ContactSolution stiffen(const LinearConditions &under, double softness, ContactStart at,
-                          double largest_step,
+  /// Returns the solution under @p under from @p start, whose interface is stiffened in few steps by factors
+  /// of at most @p largest_step; @p divergence_residual as in ContactControl.
+  ContactSolution stiffen(const LinearConditions &under, const SoftStart &start, double largest_step,
                           double divergence_residual = std::numeric_limits<double>::infinity())
   {
+    auto [at, softness, _] = start;
     const double radius = setup.profile.contact_radius;
     const ContactSurface &surface = body.contact_surface();
     std::unique_ptr<TableLaw> soft_law = interface.softened(softness)->make(surface, 0);

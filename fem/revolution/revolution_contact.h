@@ -15,7 +15,9 @@ struct RevolutionGuesses
 {
   std::optional<ContactStart> predicted = {};
   std::vector<ContactStart> previous = {}; ///< previous contacts, the most promising first
-  bool waviness_has_rotated = false;       ///< the waviness has rotated since the previous contacts
+  /// Contact closer to rest, for a predicted or previous contact beyond the limit point of the balance.
+  std::optional<ContactStart> nearer_to_rest = {};
+  bool waviness_has_rotated = false; ///< the waviness has rotated since the previous contacts
 };
 
 /// Solved contact of a body of revolution.
@@ -30,9 +32,9 @@ struct RevolutionContact
 /// Solves the contact of @p body on @p law (a penalty law of @p interface if the table is hard) under @p
 /// conditions; the body must have the state of the previous contacts. Newton's method starts from a sequence
 /// of initial guesses until the contact is stable. The order is: predicted contact, previous contacts,
-/// previous contacts on a softened interface, cold start (on an interface that is soft enough for a wide
-/// band, then stiffened step by step), continuation in the moment. If the continuation ends before the full
-/// moment, the tilted glass tips. Throws ContactFailure.
+/// previous contacts on a softened interface, contact closer to rest, cold start (on an interface that is
+/// soft enough for a wide band, then stiffened step by step), continuation in the moment. If the continuation
+/// ends before the full moment, the tilted glass tips. Throws ContactFailure.
 RevolutionContact solve_revolution_contact(const RevolutionSetup &setup, const InterfaceLaw &interface,
                                            BodyOfRevolution &body, TableLaw &law,
                                            const LinearConditions &conditions,

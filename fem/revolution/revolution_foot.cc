@@ -134,11 +134,14 @@ FootCapabilities RevolutionFoot::capabilities() const
 RevolutionGuesses RevolutionFoot::starts_from(const ContactGuess &guess, const ring::Orientation &marks) const
 {
   RevolutionGuesses starts;
-  if (guess.predicted)
+  const auto in_axes_of_lines = [&](std::optional<ContactStart> start)
   {
-    starts.predicted = guess.predicted;
-    starts.predicted->motion = motion_in_axes(guess.predicted->motion, axis(marks));
-  }
+    if (start)
+      start->motion = motion_in_axes(start->motion, axis(marks));
+    return start;
+  };
+  starts.predicted = in_axes_of_lines(guess.predicted);
+  starts.nearer_to_rest = in_axes_of_lines(guess.nearer_to_rest);
   if (!guess.previous)
     return starts;
   const ContactState &before = *guess.previous;

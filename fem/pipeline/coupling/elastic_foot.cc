@@ -125,6 +125,7 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
 {
   fem::ContactGuess guess = { before ? before : last ? &*last : nullptr };
   const unsigned int zone = guess.previous ? guess.previous->zone : 0;
+  guess.nearer_to_rest = nearest_towards_rest(slip, zone);
   const Eigen::Vector4d asked = numbers_of(demand);
   std::vector<const Found *> known, same_demand;
   for (const Found &one : recent)
@@ -151,13 +152,14 @@ fem::ContactGuess ContactPath::guess(const fem::ContactDemand &demand, const rin
   return guess;
 }
 
-std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::Slip &slip) const
+std::optional<fem::ContactStart> ContactPath::nearest_towards_rest(const ring::Slip &slip,
+                                                                   unsigned int zone) const
 {
   const double spin = slip.spin_per_speed;
   const Found *nearest = nullptr;
   for (const Found &one : recent)
     if (const double share = one.slip.spin_per_speed / spin;
-        share >= 0 && share < 1 && one.zone == 0 && same_marks(one.slip, slip) &&
+        share >= 0 && share < 1 && one.zone == zone && same_marks(one.slip, slip) &&
         (!nearest || share > nearest->slip.spin_per_speed / spin))
       nearest = &one;
   return nearest ? std::optional(nearest->start) : std::nullopt;
@@ -225,27 +227,9 @@ fem::ContactState ElasticFoot::solve(fem::ContactDemand demand, const ring::Slip
   if (!demand.has_friction()) // a demand with friction already has rings
     demand.ring_radii = radii;
   demand.n_harmonics = highest;
-  const auto solve_from = [&](const fem::ContactGuess &guess)
-  {
-    return foot->solve(demand, slip, guess,
-                       [&progress](const fem::ContactIteration &step) { progress.iteration(step); });
-  };
-  fem::ContactState state;
-  try
-  {
-    state = solve_from(path.guess(demand, slip, before));
-  }
-  catch (const fem::ContactFailure &failure)
-  {
-    // Near tipping, the nearest stored solution may lie on the branch of balances beyond the limit point. A
-    // second solve therefore starts from a stored solution closer to rest.
-    if (failure.outcome != fem::ContactOutcome::tipping || foot->capabilities().is_collective)
-      throw;
-    const std::optional<fem::ContactStart> start = path.nearest_towards_rest(slip);
-    if (!start)
-      throw;
-    state = solve_from({ nullptr, start });
-  }
+  fem::ContactState state =
+    foot->solve(demand, slip, path.guess(demand, slip, before),
+                [&progress](const fem::ContactIteration &step) { progress.iteration(step); });
   path.append(state);
   return state;
 }

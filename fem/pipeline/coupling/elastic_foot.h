@@ -25,9 +25,9 @@ public:
   fem::ContactGuess guess(const fem::ContactDemand &demand, const ring::Slip &slip,
                           const fem::ContactState *before = nullptr) const;
 
-  /// Returns the contact at the spin nearest to @p slip, between rest and @p slip, if any. It must have the
-  /// same orientation of glass and table, and zone 0.
-  std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip) const;
+  /// Returns the contact at the spin nearest to @p slip, between rest and @p slip, if any, of the same
+  /// orientation of glass and table and the same @p zone.
+  std::optional<fem::ContactStart> nearest_towards_rest(const ring::Slip &slip, unsigned int zone) const;
 
   /// Appends a solved contact.
   void append(const fem::ContactState &state);
