@@ -209,8 +209,10 @@ TEST(ExplorePage, PageOfAStudySolvesTheStudyAndShowsTheLesson)
   EXPECT_NEAR(alone["omega"].get<double>(), omega, 1e-9);
   EXPECT_EQ(alone["errors"], nlohmann::json::array());
   // A page is also written if the glass tips while it spins up.
-  const Ended falls = with({ "explore", "--output", "falls.html", "--set",
-                             "Motion/Centre of mass height=0.138", "--set", "Motion/Force offset=-0.05" });
+  const Ended falls =
+    stemware(scratch, with_settings({ "explore", "--output", "falls.html" },
+                                    { "Motion/Centre of mass height=0.138", "Motion/Force offset=-0.05",
+                                      "Contact/Azimuth lines=64", "Contact/Harmonics=8" }));
   EXPECT_EQ(falls.exit_code, 0) << falls.err;
 }
 
