@@ -163,45 +163,45 @@ private:
     Eigen::VectorXd forces = {}; ///< of the body [N]
   };
 
-  /// Returns the first stable solution of @p attempts; std::nullopt if each fails. A failed attempt leaves
-  /// the body as it was. Throws ContactFailure if an attempt finds that the glass tips.
-  std::optional<ContactSolution> first_stable(const Attempts &attempts)
+  /// Returns false if @p attempt fails. Throws ContactFailure if it finds that the glass tips.
+  static bool succeeds(const std::function<void()> &attempt)
   {
-    const Eigen::VectorXd forces_before = body.forces().reshaped();
-    for (const auto &attempt : attempts)
-    {
-      try
-      {
-        used.reset();
-        ContactSolution solution = attempt();
-        if (is_stable(solution))
-          return solution;
-      }
-      catch (const ContactFailure &failure)
-      {
-        if (failure.outcome == ContactOutcome::tipping)
-          throw;
-      }
-      body.set_forces(forces_before);
-    }
-    return std::nullopt;
-  }
-
-  /// Returns the stable solution from a cold start; std::nullopt if there is none. Throws like
-  /// first_stable().
-  std::optional<ContactSolution> solve_cold()
-  {
-    SoftStart cold;
     try
     {
-      cold = cold_start(conditions);
+      attempt();
+      return true;
     }
     catch (const ContactFailure &failure)
     {
       if (failure.outcome == ContactOutcome::tipping)
         throw;
-      return std::nullopt;
+      return false;
     }
+  }
+
+  /// Returns the first stable solution of @p attempts, if any. A failed attempt leaves the body as it was.
+  /// Throws like succeeds().
+  std::optional<ContactSolution> first_stable(const Attempts &attempts)
+  {
+    const Eigen::VectorXd forces_before = body.forces().reshaped();
+    for (const auto &attempt : attempts)
+    {
+      used.reset();
+      ContactSolution solution;
+      bool stable = false;
+      if (succeeds([&] { stable = is_stable(solution = attempt()); }) && stable)
+        return solution;
+      body.set_forces(forces_before);
+    }
+    return std::nullopt;
+  }
+
+  /// Returns the stable solution from a cold start, if any. Throws like succeeds().
+  std::optional<ContactSolution> solve_cold()
+  {
+    SoftStart cold;
+    if (!succeeds([&] { cold = cold_start(conditions); }))
+      return std::nullopt;
     Attempts attempts;
     for (const double largest_step : { large_stiffening, small_stiffening })
       attempts.emplace_back(
@@ -298,7 +298,8 @@ private:
   ContactSolution stiffen(const LinearConditions &under, const SoftStart &start, double largest_step,
                           double divergence_residual = std::numeric_limits<double>::infinity())
   {
-    auto [at, softness, _] = start;
+    ContactStart at = start.at;
+    double softness = start.softness;
     const double radius = setup.profile.contact_radius;
     const ContactSurface &surface = body.contact_surface();
     std::unique_ptr<TableLaw> soft_law = interface.softened(softness)->make(surface, 0);
